@@ -1,0 +1,20 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <cmath>
+
+namespace psmks
+{
+constexpr double kPi = 3.14159265358979323846;
+
+/** The same angle in (-pi, pi]. */
+inline double wrapAngle(double angle_rad)
+{
+  if (angle_rad > -kPi && angle_rad <= kPi) return angle_rad;
+  const double wrapped_rad = std::remainder(angle_rad, 2 * kPi);
+  return wrapped_rad <= -kPi ? wrapped_rad + 2 * kPi : wrapped_rad;
+}
+
+constexpr double degToRad(double angle_deg) { return angle_deg * (kPi / 180); }
+constexpr double radToDeg(double angle_rad) { return angle_rad * (180 / kPi); }
+}  // namespace psmks

@@ -1,0 +1,77 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/BeamGrid.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace psmks
+{
+namespace
+{
+void requireGrid(bool condition, const char* what, double value)
+{
+  if (!condition) throw std::invalid_argument("BeamGrid: " + (what + (" " + std::to_string(value))));
+}
+}  // namespace
+
+BeamGrid::BeamGrid() : directions_(std::make_shared<Directions>()) {}
+
+BeamGrid::BeamGrid(double firstBearing_rad, double increment_rad, int count)
+    : first_rad_(firstBearing_rad), increment_rad_(increment_rad), count_(count)
+{
+  requireGrid(std::isfinite(firstBearing_rad), "the first bearing must be finite, got",
+              firstBearing_rad);
+  requireGrid(increment_rad > 0 && std::isfinite(increment_rad),
+              "the increment must be above 0 rad, got", increment_rad);
+  requireGrid(count >= 0, "the count must not be negative, got", count);
+  const double circle_rad = count * increment_rad;
+  requireGrid(circle_rad < 2 * kPi + increment_rad / 2, "the rays go more than once round, rad:",
+              circle_rad);
+  closed_ = circle_rad > 2 * kPi - increment_rad / 2;
+
+  auto directions = std::make_shared<Directions>();
+  directions->cosine.resize(static_cast<std::size_t>(count));
+  directions->sine.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+  {
+    directions->cosine[static_cast<std::size_t>(i)] = std::cos(bearing_rad(i));
+    directions->sine[static_cast<std::size_t>(i)] = std::sin(bearing_rad(i));
+  }
+  directions_ = std::move(directions);
+}
+
+BeamGrid BeamGrid::centered(double fieldOfView_rad, int count)
+{
+  const bool fullCircle = fieldOfView_rad > 2 * kPi - 1e-9;
+  const int steps = fullCircle ? count : count - 1;
+  return {-fieldOfView_rad / 2, fieldOfView_rad / std::max(1, steps), count};
+}
+
+double BeamGrid::fieldOfView_rad() const
+{
+  return closed_ ? 2 * kPi : increment_rad_ * std::max(0, count_ - 1);
+}
+
+double BeamGrid::index(double bearing_rad) const
+{
+  const double centre = 0.5 * (count_ - 1);
+  const double fromCentre_rad = wrapAngle(bearing_rad - first_rad_ - centre * increment_rad_);
+  const double i = centre + fromCentre_rad / increment_rad_;
+  return closed_ && i >= count_ - 0.5 ? i - count_ : i;
+}
+
+int BeamGrid::neighbour(int i, int step) const
+{
+  const int j = i + step;
+  if (j >= 0 && j < count_) return j;
+  if (!closed_) return -1;
+  return (j % count_ + count_) % count_;
+}
+
+bool BeamGrid::operator==(const BeamGrid& other) const
+{
+  return count_ == other.count_ && first_rad_ == other.first_rad_ &&
+         increment_rad_ == other.increment_rad_;
+}
+}  // namespace psmks

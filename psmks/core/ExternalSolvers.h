@@ -1,0 +1,29 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/Pose2.h>
+
+#include <Eigen/Core>
+
+namespace psmks
+{
+struct JointProblem;
+struct TranslationProblem;
+
+/** Solvers from outside the core (Ceres) that can take the place of the closed form of the
+ *  translation regression and of Gauss-Newton. They minimise the same cost over the same residuals,
+ *  with the associations held fixed. */
+class ExternalSolvers
+{
+ public:
+  virtual ~ExternalSolvers() = default;
+
+  /** @param[in,out] step_m start and result of the translation step; unchanged on failure
+   *  @return false if no minimum was found */
+  virtual bool solveTranslation(const TranslationProblem& problem, Eigen::Vector2d& step_m) const = 0;
+
+  /** @param[in,out] T_ref_cur start and result; unchanged on failure
+   *  @return false if no minimum was found */
+  virtual bool solveJoint(const JointProblem& problem, Pose2& T_ref_cur) const = 0;
+};
+}  // namespace psmks

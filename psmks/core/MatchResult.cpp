@@ -1,0 +1,57 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/MatchResult.h>
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace psmks
+{
+const char* toString(MatchStatus status)
+{
+  switch (status)
+  {
+    case MatchStatus::NotRun: return "NotRun";
+    case MatchStatus::Converged: return "Converged";
+    case MatchStatus::MaxIterations: return "MaxIterations";
+    case MatchStatus::TooFewAssociations: return "TooFewAssociations";
+    case MatchStatus::NoImprovement: return "NoImprovement";
+    case MatchStatus::Degenerate: return "Degenerate";
+    case MatchStatus::InvalidInput: return "InvalidInput";
+  }
+  return "?";
+}
+
+bool MatchResult::usable() const
+{
+  return status == MatchStatus::Converged || status == MatchStatus::MaxIterations ||
+         status == MatchStatus::Degenerate;
+}
+
+Eigen::Matrix3d MatchResult::unknownCovariance()
+{
+  constexpr double kSigma_m = 1.0, kSigma_rad = degToRad(30);
+  return Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigma_rad * kSigma_rad)
+      .asDiagonal();
+}
+
+std::string MatchResult::report() const
+{
+  const auto sigma = [this](int i) { return std::sqrt(covariance(i, i)); };
+  std::ostringstream out;
+  out << std::fixed << toString(status) << ": x " << std::setprecision(4) << T_ref_cur.x_m
+      << " m, y " << T_ref_cur.y_m << " m, phi " << std::setprecision(3)
+      << radToDeg(T_ref_cur.phi_rad) << " deg; sigma " << std::setprecision(1) << 1e3 * sigma(0)
+      << " mm, " << 1e3 * sigma(1) << " mm, " << std::setprecision(3) << radToDeg(sigma(2))
+      << " deg; score " << std::setprecision(2) << score << ", " << associations
+      << " associations, " << iterations << " iterations, " << std::setprecision(3)
+      << 1e3 * times.total_s() << " ms";
+  if (unobservableDirection)
+  {
+    const double along_rad = std::atan2(unobservableDirection->y(), unobservableDirection->x());
+    out << "; not observable along " << std::setprecision(1) << radToDeg(along_rad) << " deg";
+  }
+  if (headingUnobservable) out << "; heading not observable";
+  return out.str();
+}
+}  // namespace psmks

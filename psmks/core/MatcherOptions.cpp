@@ -1,0 +1,27 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/MatcherOptions.h>
+
+namespace psmks
+{
+MatcherOptions MatcherOptions::paperScheme()
+{
+  MatcherOptions options;
+  options.scheme = Scheme::Paper;
+  options.segmentation.filter = LineFilter::Ekf;
+  return options;
+}
+
+OptionTable optionTable(MatcherOptions& options)
+{
+  OptionTable table;
+  table.beginSection("matcher", "The matching scheme.");
+  table.add("scheme", options.scheme, {"joint", "paper"},
+            "joint: Gauss-Newton over position and heading together; paper: alternating orientation "
+            "search and translation regression");
+  listFields(table, options.preprocessing);
+  listFields(table, options.segmentation);
+  listFields(table, options.paper);
+  listFields(table, options.joint);
+  return table;
+}
+}  // namespace psmks

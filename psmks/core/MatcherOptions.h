@@ -1,0 +1,32 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/JointOptions.h>
+#include <psmks/core/OptionTable.h>
+#include <psmks/core/PaperOptions.h>
+#include <psmks/core/SegmentationOptions.h>
+
+namespace psmks
+{
+enum class Scheme
+{
+  Joint,  //!< Gauss-Newton over x, y, theta on line pairs and single rays (docs/algorithm.md)
+  Paper   //!< alternating orientation search and translation regression (paper, section 2)
+};
+
+/** Everything a Matcher can be told. The defaults hold for any 2D scanner. */
+struct MatcherOptions
+{
+  Scheme scheme = Scheme::Joint;
+  PreprocessingOptions preprocessing;
+  SegmentationOptions segmentation;
+  PaperOptions paper;
+  JointOptions joint;
+
+  /** The method of the paper to the letter (config/psmks-paper.ini). */
+  static MatcherOptions paperScheme();
+};
+
+/** All sections, in the order of the stages: matcher, preprocessing, segmentation, paper, joint. */
+OptionTable optionTable(MatcherOptions& options);
+}  // namespace psmks

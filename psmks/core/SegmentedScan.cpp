@@ -1,0 +1,19 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/SegmentedScan.h>
+
+#include <algorithm>
+
+namespace psmks
+{
+int SegmentedScan::validRays() const
+{
+  return static_cast<int>(std::count_if(valid.begin(), valid.end(), [](auto v) { return v != 0; }));
+}
+
+double SegmentedScan::denoisedRange_m(int ray) const
+{
+  const Segment* segment = segmentAt(ray);
+  return segment ? segment->line.rangeAt_m(grid.bearing_rad(ray))
+                 : range_m[static_cast<std::size_t>(ray)];
+}
+}  // namespace psmks

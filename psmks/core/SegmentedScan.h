@@ -1,0 +1,48 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/BeamGrid.h>
+#include <psmks/core/Segment.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace psmks
+{
+/** A scan after preprocessing and Kalman Segmentation: what a matcher works on.
+ *
+ * Segments stand in the order of their first rays. */
+struct SegmentedScan
+{
+  static constexpr int kNoSegment = -1;
+
+  BeamGrid grid;
+  std::vector<double> range_m;      //!< one per ray; 0 where invalid, finite and positive elsewhere
+  std::vector<std::uint8_t> valid;  //!< one per ray
+  double rangeSigma_m = 0;          //!< the standard deviation of a range that was used
+  double maxRange_m = 0;            //!< as in Scan
+  double stamp_s = 0;
+  std::vector<Segment> segments;
+  std::vector<int> segmentOfRay;  //!< index into segments, or kNoSegment
+
+  int rays() const { return grid.count(); }
+  int validRays() const;
+  bool isValid(int ray) const { return valid[static_cast<std::size_t>(ray)] != 0; }
+
+  /** The measured end point of a valid ray. */
+  Eigen::Vector2d point_m(int ray) const
+  {
+    return range_m[static_cast<std::size_t>(ray)] * grid.direction(ray);
+  }
+
+  /** The segment of a ray, or null. */
+  const Segment* segmentAt(int ray) const
+  {
+    const int s = segmentOfRay[static_cast<std::size_t>(ray)];
+    return s == kNoSegment ? nullptr : &segments[static_cast<std::size_t>(s)];
+  }
+
+  /** Range on the segment's line where the ray has one (de-noised), else the measured range. */
+  double denoisedRange_m(int ray) const;
+};
+}  // namespace psmks
