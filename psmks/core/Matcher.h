@@ -2,6 +2,7 @@
 #pragma once
 
 #include <psmks/core/ExternalSolvers.h>
+#include <psmks/core/Guess.h>
 #include <psmks/core/MatchResult.h>
 #include <psmks/core/MatchTrace.h>
 #include <psmks/core/MatcherOptions.h>
@@ -9,20 +10,9 @@
 #include <psmks/core/SegmentedScan.h>
 
 #include <memory>
-#include <optional>
 
 namespace psmks
 {
-/** Where a match starts. */
-struct Guess
-{
-  Pose2 T_ref_cur;
-
-  /** Covariance of (x, y, phi) in reference axes. Given, the guess is a measurement that enters every
-   *  normal equation of the joint scheme; absent, it is a starting point and nothing more. */
-  std::optional<Eigen::Matrix3d> covariance;
-};
-
 /** The buffers of a match. One per thread; after the first match with scans of a size, a further one
  *  allocates nothing. */
 class MatcherWorkspace
