@@ -15,6 +15,13 @@ inline double wrapAngle(double angle_rad)
   return wrapped_rad <= -kPi ? wrapped_rad + 2 * kPi : wrapped_rad;
 }
 
-constexpr double degToRad(double angle_deg) { return angle_deg * (kPi / 180); }
+constexpr long double kDegreesPerRadian = 180 / 3.141592653589793238462643383279502884L;
+
+/** Rounded once, from long double: the very number that the text of the angle in a file becomes. */
+constexpr double degToRad(long double angle_deg)
+{
+  return static_cast<double>(angle_deg / kDegreesPerRadian);
+}
+
 constexpr double radToDeg(double angle_rad) { return angle_rad * (180 / kPi); }
 }  // namespace psmks

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <limits>
+#include <locale>
 #include <numeric>
 #include <sstream>
 
@@ -12,8 +13,6 @@ namespace psmks
 {
 namespace
 {
-constexpr long double kDegreesPerRadian = 180.0L / 3.141592653589793238462643383279502884L;
-
 std::string trimmed(const std::string& text)
 {
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -27,21 +26,21 @@ std::string trimmed(const std::string& text)
   throw OptionError("option '" + key + "': '" + text + "' is not accepted, allowed: " + constraint);
 }
 
-/** The shortest decimal text of x that `parse` turns into x again. */
-template <class Number, class Parse>
-std::string shortestText(Number x, Parse sameAgain)
+/** The shortest decimal text of x that `sameAgain` accepts; whole numbers are written in full. */
+template <class Check>
+std::string shortestText(long double x, Check sameAgain)
 {
-  for (int digits = 1; digits < 21; ++digits)
+  std::string text;
+  for (int digits = 6; digits <= std::numeric_limits<long double>::max_digits10; ++digits)
   {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     out.precision(digits);
     out << x;
-    if (sameAgain(out.str())) return out.str();
+    text = out.str();
+    if (sameAgain(text)) break;
   }
-  std::ostringstream out;
-  out.precision(21);
-  out << x;
-  return out.str();
+  return text;
 }
 
 /** Files hold degrees; long double on the way makes the round trip exact. */
@@ -55,24 +54,28 @@ double parseNumber(const std::string& text, Unit unit, const std::string& key,
   in >> value;
   if (in.fail() || in.peek() != std::istringstream::traits_type::eof())
     refuse(key, text, constraint);
-  return static_cast<double>(unit == Unit::Degree ? value / kDegreesPerRadian : value);
+  return unit == Unit::Degree ? degToRad(value) : static_cast<double>(value);
 }
 
 std::string formatNumber(double value, Unit unit)
 {
   const long double shown = unit == Unit::Degree ? value * kDegreesPerRadian : value;
-  return shortestText(shown, [&](const std::string& text)
-                      { return parseNumber(text, unit, "", "") == value; });
+  return shortestText(
+      shown, [&](const std::string& text) { return parseNumber(text, unit, "", "") == value; });
 }
 
 const char* unitText(Unit unit)
 {
   switch (unit)
   {
-    case Unit::Metre: return " m";
-    case Unit::Degree: return " deg";
-    case Unit::Second: return " s";
-    case Unit::None: break;
+    case Unit::Metre:
+      return " m";
+    case Unit::Degree:
+      return " deg";
+    case Unit::Second:
+      return " s";
+    case Unit::None:
+      break;
   }
   return "";
 }
@@ -163,15 +166,14 @@ void OptionTable::addEnum(const std::string& key, const EnumNames& names, const 
                           std::function<std::size_t()> get, std::function<void(std::size_t)> set)
 {
   const std::string constraint = joined(names);
-  fields_.push_back(
-      {sections_.back().name, key, constraint, help,
-       [get = std::move(get), names] { return names.at(get()); },
-       [set = std::move(set), names, key, constraint](const std::string& text)
-       {
-         const auto name = std::find(names.begin(), names.end(), trimmed(text));
-         if (name == names.end()) refuse(key, text, constraint);
-         set(static_cast<std::size_t>(name - names.begin()));
-       }});
+  fields_.push_back({sections_.back().name, key, constraint, help,
+                     [get = std::move(get), names] { return names.at(get()); },
+                     [set = std::move(set), names, key, constraint](const std::string& text)
+                     {
+                       const auto name = std::find(names.begin(), names.end(), trimmed(text));
+                       if (name == names.end()) refuse(key, text, constraint);
+                       set(static_cast<std::size_t>(name - names.begin()));
+                     }});
 }
 
 const OptionField& OptionTable::find(const std::string& section, const std::string& key) const
