@@ -1,0 +1,23 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <vector>
+
+namespace psmks
+{
+/** The value below which a share p of the values lies, interpolated linearly between neighbours
+ *  (0 = the smallest, 1 = the largest). NaN where there are no values.
+ *  @param p 0 to 1 */
+double quantile(std::vector<double> values, double p);
+
+/** quantile(values, 0.5). */
+double median(std::vector<double> values);
+
+/** The arithmetic mean; NaN where there are no values. */
+double mean(const std::vector<double>& values);
+
+/** Value of the chi-squared distribution that is exceeded with a probability of 5 %, for 2 and 3
+ *  degrees of freedom: the squared radius of a 95 % ellipse and of a 95 % ellipsoid. */
+constexpr double kChi2At95With2Dof = 5.991464547;
+constexpr double kChi2At95With3Dof = 7.814727903;
+}  // namespace psmks

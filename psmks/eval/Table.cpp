@@ -1,0 +1,113 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/eval/Table.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace psmks
+{
+namespace
+{
+constexpr int kCsvDigits = 7;
+
+std::string shownText(const Table::Cell& cell, int decimals)
+{
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  const double value = std::get<double>(cell);
+  if (std::isnan(value)) return "-";
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::fixed << std::setprecision(decimals) << value;
+  return out.str();
+}
+
+/** Headings and rows as they are shown. */
+std::vector<std::vector<std::string>> shownLines(const Table& table)
+{
+  std::vector<std::vector<std::string>> lines(1);
+  for (const auto& column : table.columns) lines.front().push_back(column.heading);
+  for (const auto& row : table.rows)
+  {
+    lines.emplace_back();
+    for (std::size_t c = 0; c < row.size(); ++c)
+      lines.back().push_back(shownText(row[c], table.columns[c].decimals));
+  }
+  return lines;
+}
+
+bool isNumeric(const Table& table, std::size_t column)
+{
+  return !table.rows.empty() && std::holds_alternative<double>(table.rows.front()[column]);
+}
+
+std::vector<std::size_t> widths(const std::vector<std::vector<std::string>>& lines)
+{
+  std::vector<std::size_t> result(lines.front().size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t c = 0; c < line.size(); ++c) result[c] = std::max(result[c], line[c].size());
+  return result;
+}
+}  // namespace
+
+std::string toText(const Table& table)
+{
+  const auto lines = shownLines(table);
+  const auto width = widths(lines);
+  std::ostringstream out;
+  if (!table.title.empty()) out << table.title << '\n';
+  for (const auto& line : lines)
+  {
+    for (std::size_t c = 0; c < line.size(); ++c)
+      out << (c == 0 ? "" : "  ") << (isNumeric(table, c) ? std::right : std::left)
+          << std::setw(static_cast<int>(width[c])) << line[c];
+    out << '\n';
+  }
+  return out.str();
+}
+
+std::string toMarkdown(const Table& table)
+{
+  const auto lines = shownLines(table);
+  std::ostringstream out;
+  for (std::size_t l = 0; l < lines.size(); ++l)
+  {
+    for (const auto& text : lines[l]) out << "| " << text << ' ';
+    out << "|\n";
+    if (l > 0) continue;
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      out << (isNumeric(table, c) ? "|---:" : "|---");
+    out << "|\n";
+  }
+  return out.str();
+}
+
+std::string toCsv(const Table& table)
+{
+  std::ostringstream out;
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    out << (c == 0 ? "" : ",") << table.columns[c].key;
+  out << '\n';
+  for (const auto& row : table.rows)
+  {
+    for (std::size_t c = 0; c < row.size(); ++c)
+    {
+      const auto* text = std::get_if<std::string>(&row[c]);
+      out << (c == 0 ? "" : ",") << (text ? *text : csvNumber(std::get<double>(row[c])));
+    }
+    out << '\n';
+  }
+  return out.str();
+}
+
+std::string csvNumber(double value)
+{
+  if (std::isnan(value)) return "";
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::setprecision(kCsvDigits) << value;
+  return out.str();
+}
+}  // namespace psmks

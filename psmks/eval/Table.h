@@ -1,0 +1,38 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace psmks
+{
+/** Results for people (text, Markdown) and for programs (CSV). */
+struct Table
+{
+  struct Column
+  {
+    std::string heading;  //!< for people
+    std::string key;      //!< for programs: no spaces, unit at the end
+    int decimals = 0;     //!< of its numbers, for people
+  };
+
+  /** A NaN stands for a value that does not exist; it is shown as a dash and left empty in CSV. */
+  using Cell = std::variant<std::string, double>;
+
+  std::string title;
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;  //!< each as long as columns
+};
+
+/** Aligned columns. */
+std::string toText(const Table& table);
+
+std::string toMarkdown(const Table& table);
+
+/** Keys as header; numbers with 7 significant digits. */
+std::string toCsv(const Table& table);
+
+/** A number with 7 significant digits, "" for NaN. */
+std::string csvNumber(double value);
+}  // namespace psmks

@@ -1,0 +1,39 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/eval/Table.h>
+
+#include <limits>
+
+namespace psmks
+{
+namespace
+{
+const Table kTable{"two matchers",
+                   {{"matcher", "matcher", 0}, {"median mm", "median_mm", 1}},
+                   {{std::string("a"), 12.3456789},
+                    {std::string("long name"), std::numeric_limits<double>::quiet_NaN()}}};
+}
+
+TEST(Table, TextIsAligned)
+{
+  EXPECT_EQ(toText(kTable),
+            "two matchers\n"
+            "matcher    median mm\n"
+            "a               12.3\n"
+            "long name          -\n");
+}
+
+TEST(Table, MarkdownAlignsNumbersToTheRight)
+{
+  EXPECT_EQ(toMarkdown(kTable),
+            "| matcher | median mm |\n"
+            "|---|---:|\n"
+            "| a | 12.3 |\n"
+            "| long name | - |\n");
+}
+
+TEST(Table, CsvHasKeysAndSevenDigits)
+{
+  EXPECT_EQ(toCsv(kTable), "matcher,median_mm\na,12.34568\nlong name,\n");
+}
+}  // namespace psmks
