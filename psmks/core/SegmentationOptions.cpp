@@ -7,12 +7,14 @@ namespace psmks
 void listFields(OptionTable& table, PreprocessingOptions& o)
 {
   table.beginSection("preprocessing", "Which rays are used.");
-  table.add("min_range_m", o.minRange_m, Unit::Metre, 0, 100, "readings at or below it are invalid");
+  table.add("min_range_m", o.minRange_m, Unit::Metre, 0, 100,
+            "readings at or below it are invalid");
   table.add("max_range_m", o.maxRange_m, Unit::Metre, 0, 1000,
             "readings at or beyond it are no returns; 0: the scan's own limit");
-  table.add("median_window", o.medianWindow, 0, 31,
-            "rays of a median filter over the ranges; 0: off, because it cuts corners and correlates "
-            "the noise that the line fit takes for independent");
+  table.add(
+      "median_window", o.medianWindow, 0, 31,
+      "rays of a median filter over the ranges; 0: off, because it cuts corners and correlates "
+      "the noise that the line fit takes for independent");
 }
 
 void listFields(OptionTable& table, SegmentationOptions& o)

@@ -29,10 +29,10 @@ struct SegmentationOptions
   double innovationGate = 3.3;     //!< standard deviations; chi2(1) at 0.999
   int seedRays = 4;
   int minRays = 6;
-  int cornerReach = 8;          //!< rays on either side over which a corner is contested
-  double mergeChi2 = 11.2;      //!< rise of chi2 (2 degrees of freedom) below which neighbours merge
-  double maxReducedChi2 = 3.0;  //!< above it the rays are too noisy or curved for a segment
-  double curvatureGate = 4.5;   //!< standard deviations of the quadratic term
+  int cornerReach = 8;      //!< rays on either side over which a corner is contested
+  double mergeChi2 = 11.2;  //!< rise of chi2 (2 degrees of freedom) below which neighbours merge
+  double maxReducedChi2 = 3.0;       //!< above it the rays are too noisy or curved for a segment
+  double curvatureGate = 4.5;        //!< standard deviations of the quadratic term
   double minIncidenceCosine = 0.05;  //!< |cos(bearing - phi0)| below it: bearing errors dominate
   double maxOffsetSigma_m = 0.10;    //!< of the line at its middle
   double maxAngleSigma_rad = 0.2;

@@ -1,0 +1,31 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/SegmentedScan.h>
+
+namespace psmks
+{
+/** A line fitted to rays, with what tells whether they lie on one. */
+struct LineFit
+{
+  Line line;  //!< covariance for the given range sigma
+  int rays = 0;
+  double chi2 = 0;  //!< sum of squared residuals / sigma^2; rays - 2 degrees of freedom
+  double curvature_1_m =
+      0;  //!< coefficient of the squared distance along the line, bulging outwards
+  double curvatureSigma_1_m = 0;
+};
+
+/** Rays `first`, `first + 1`, ..., `count` of them (wrapping on a closed grid); those whose
+ *  `segmentOfRay` equals `mark` belong to the line. */
+struct RayRange
+{
+  int first;
+  int count;
+  int mark;
+};
+
+/** Weighted nonlinear least squares of (r0, phi0) over the rays of a range, by Gauss-Newton steps
+ * from `start`, and the test for curvature (a quadratic term along the line, fitted with it). */
+LineFit fitLine(const SegmentedScan& scan, const RayRange& rays, const Line& start, double sigma_m);
+}  // namespace psmks

@@ -1,0 +1,229 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/LineFilters.h>
+#include <psmks/core/LineRuns.h>
+#include <psmks/core/ThreeRayTest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+/** Missing rays in a row over which a line is continued. */
+constexpr int kLongestHole = 3;
+
+/** Rays between two lines that still touch. */
+constexpr int kLongestGap = 3;
+
+/** A second outlier within this many rays of the first ends a line. */
+constexpr int kOutlierMemory = 2;
+}  // namespace
+
+LineRuns::LineRuns(const SegmentationOptions& options, SegmentedScan& scan,
+                   std::vector<LineRun>& runs)
+    : options_(options),
+      scan_(scan),
+      runs_(runs),
+      rays_(scan.rays()),
+      start_(scan.grid.closed() ? strongestBreak(scan) : 0),
+      variance_m2_(scan.rangeSigma_m * scan.rangeSigma_m)
+{
+  runs_.clear();
+}
+
+double LineRuns::chi2(const LineSums& sums) const
+{
+  LineSums::Solution s{};
+  return sums.solve(s) ? s.chi2 / variance_m2_ : 0;
+}
+
+// ---- growth ------------------------------------------------------------------------------------
+
+void LineRuns::grow()
+{
+  if (options_.filter == LineFilter::Linear)
+    growAll(LinearLineFilter(scan_.rangeSigma_m));
+  else
+    growAll(PolarLineFilter(scan_.rangeSigma_m));
+}
+
+template <class Filter>
+void LineRuns::growAll(const Filter& fresh)
+{
+  int free = 0;  // first position after the last line
+  for (int p = 0; p + options_.seedRays <= rays_; ++p)
+  {
+    LineSums seed;
+    Filter filter = fresh;
+    if (!seedAt(p, seed) || !filter.start(seed)) continue;
+    const int index = static_cast<int>(runs_.size());
+    LineRun run{p, p + options_.seedRays - 1, seed};
+    reassign(run.first, run.last, SegmentedScan::kNoSegment, index);
+    run.last = growSide(filter, run, index, run.last, 1, rays_ - 1);
+    run.first = growSide(filter, run, index, run.first, -1, free);
+    runs_.push_back(run);
+    free = run.last + 1;
+    p = run.last;
+  }
+}
+
+/** The sums of the seed at a position, if all of its rays are valid and on one line. */
+bool LineRuns::seedAt(int position, LineSums& sums) const
+{
+  for (int p = position; p < position + options_.seedRays; ++p)
+  {
+    if (!valid(p)) return false;
+    add(sums, p);
+  }
+  // About the 0.998 quantile of chi2 for the one to four degrees of freedom of a seed.
+  const double gate = options_.innovationGate;
+  return chi2(sums) < gate * gate + options_.seedRays - 3;
+}
+
+template <class Filter>
+bool LineRuns::continues(const Filter& filter, int position) const
+{
+  const RangePrediction expected = filter.predict(cosine(position), sine(position));
+  if (!(expected.range_m > 0)) return false;
+  const double innovation_m = range_m(position) - expected.range_m;
+  const double gate = options_.innovationGate;
+  return innovation_m * innovation_m < gate * gate * expected.variance_m2;
+}
+
+/** Grows a line from position `from` by steps of +1 or -1 up to and including `limit`. An isolated
+ *  outlier is passed over; a second one soon after ends the line before the first.
+ *  @return the last position of the line on this side */
+template <class Filter>
+int LineRuns::growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit)
+{
+  int last = from, hole = 0, sinceOutlier = kOutlierMemory;
+  int lastBeforeOutlier = from;
+  LineSums sumsBeforeOutlier = run.sums;
+  Filter filterBeforeOutlier = filter;
+  for (int p = from + step; p != limit + step && hole <= kLongestHole; p += step)
+  {
+    if (!valid(p))
+    {
+      ++hole;
+      continue;
+    }
+    hole = 0;
+    if (continues(filter, p))
+    {
+      filter.update(cosine(p), sine(p), range_m(p));
+      add(run.sums, p);
+      mark(p) = index;
+      last = p;
+      ++sinceOutlier;
+      continue;
+    }
+    if (sinceOutlier < kOutlierMemory)
+    {
+      reassign(std::min(lastBeforeOutlier + step, p), std::max(lastBeforeOutlier + step, p), index,
+               SegmentedScan::kNoSegment);
+      run.sums = sumsBeforeOutlier;
+      filter = filterBeforeOutlier;
+      return lastBeforeOutlier;
+    }
+    lastBeforeOutlier = last;
+    sumsBeforeOutlier = run.sums;
+    filterBeforeOutlier = filter;
+    sinceOutlier = 0;
+  }
+  return last;
+}
+
+/** Changes the mark of the rays between two positions (both included) that carry `from`. */
+void LineRuns::reassign(int firstPosition, int lastPosition, int from, int to)
+{
+  for (int p = firstPosition; p <= lastPosition; ++p)
+    if (mark(p) == from) mark(p) = to;
+}
+
+// ---- corners and merging -----------------------------------------------------------------------
+
+void LineRuns::contestCorners()
+{
+  for (std::size_t right = 1; right < runs_.size(); ++right)
+    if (runs_[right].first - runs_[right - 1].last <= kLongestGap + 1)
+      contest(static_cast<int>(right) - 1, static_cast<int>(right));
+}
+
+/** Contested are the rays within reach of the corner; either line keeps a seed beyond them.
+ *
+ *   left  o o o o o|. . . . . .|          all splits are tried: rays up to it to the left line,
+ *                  |. . . . . .|o o o o   the others to the right line
+ */
+void LineRuns::contest(int leftIndex, int rightIndex)
+{
+  LineRun& left = runs_[static_cast<std::size_t>(leftIndex)];
+  LineRun& right = runs_[static_cast<std::size_t>(rightIndex)];
+  const int reach = options_.cornerReach, kept = options_.seedRays;
+  const int begin = std::max(left.last + 1 - reach, std::min(left.first + kept, left.last + 1));
+  const int end = std::min(right.first + reach, std::max(right.last + 1 - kept, right.first));
+
+  // Lines without the contested rays, then each contested ray added to the right line ...
+  LineSums l = left.sums, r = right.sums;
+  for (int p = begin; p < end; ++p)
+  {
+    if (mark(p) == leftIndex) remove(l, p);
+    if (mark(p) == rightIndex) remove(r, p);
+  }
+  if (l.rays() < 2 || r.rays() < 2) return;
+  for (int p = begin; p < end; ++p)
+    if (valid(p)) add(r, p);
+
+  // ... and handed over to the left line one by one.
+  int bestSplit = begin;
+  double best = chi2(l) + chi2(r);
+  LineSums bestLeft = l, bestRight = r;
+  for (int p = begin; p < end; ++p)
+  {
+    if (!valid(p)) continue;
+    add(l, p);
+    remove(r, p);
+    const double sum = chi2(l) + chi2(r);
+    if (sum >= best) continue;
+    best = sum;
+    bestSplit = p + 1;
+    bestLeft = l;
+    bestRight = r;
+  }
+  for (int p = begin; p < end; ++p)
+    if (valid(p)) mark(p) = p < bestSplit ? leftIndex : rightIndex;
+  left.last = std::max(left.first, bestSplit - 1);
+  right.first = std::min(right.last, bestSplit);
+  left.sums = bestLeft;
+  right.sums = bestRight;
+}
+
+bool LineRuns::collinear(const LineRun& left, const LineRun& right) const
+{
+  if (right.first - left.last > kLongestGap + 1) return false;
+  LineSums joint = left.sums;
+  joint += right.sums;
+  return chi2(joint) - chi2(left.sums) - chi2(right.sums) < options_.mergeChi2;
+}
+
+void LineRuns::mergeCollinear()
+{
+  std::size_t kept = 0;
+  for (std::size_t next = 1; next < runs_.size(); ++next)
+  {
+    LineRun& left = runs_[kept];
+    const LineRun& right = runs_[next];
+    const int to = static_cast<int>(collinear(left, right) ? kept : kept + 1);
+    reassign(right.first, right.last, static_cast<int>(next), to);
+    if (static_cast<std::size_t>(to) == kept)
+    {
+      left.sums += right.sums;
+      left.last = right.last;
+    }
+    else
+      runs_[++kept] = right;
+  }
+  if (!runs_.empty()) runs_.resize(kept + 1);
+}
+}  // namespace psmks

@@ -1,0 +1,68 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Preprocessing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace psmks
+{
+namespace
+{
+double upperLimit_m(const Scan& scan, const PreprocessingOptions& options)
+{
+  double limit_m = std::numeric_limits<double>::max();
+  if (scan.maxRange_m > 0) limit_m = std::min(limit_m, scan.maxRange_m);
+  if (options.maxRange_m > 0) limit_m = std::min(limit_m, options.maxRange_m);
+  return limit_m;
+}
+}  // namespace
+
+void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedScan& result)
+{
+  const auto rays = static_cast<std::size_t>(scan.grid.count());
+  result.grid = scan.grid;
+  result.maxRange_m = scan.maxRange_m;
+  result.stamp_s = scan.stamp_s;
+  result.rangeSigma_m = 0;
+  result.segments.clear();
+  result.range_m.assign(rays, 0.0);
+  result.valid.assign(rays, 0);
+  result.segmentOfRay.assign(rays, SegmentedScan::kNoSegment);
+  if (scan.range_m.size() != rays) return;
+
+  const double lower_m = std::max(0.0, options.minRange_m);
+  const double upper_m = upperLimit_m(scan, options);
+  const bool flagged = scan.valid.size() == rays;
+  for (std::size_t i = 0; i < rays; ++i)
+  {
+    const double r = scan.range_m[i];
+    const bool valid = r > lower_m && r < upper_m && (!flagged || scan.valid[i]);  // false for NaN
+    result.valid[i] = valid;
+    if (valid) result.range_m[i] = r;
+  }
+}
+
+void medianFilter(int window, std::vector<double>& scratch, SegmentedScan& scan)
+{
+  const int half = window / 2;
+  if (half < 1) return;
+  const auto rays = static_cast<std::size_t>(scan.rays());
+  scratch.resize(rays + static_cast<std::size_t>(2 * half + 1));
+  std::copy(scan.range_m.begin(), scan.range_m.end(), scratch.begin());
+  const auto windowBegin = scratch.begin() + static_cast<std::ptrdiff_t>(rays);
+  for (int i = 0; i < scan.rays(); ++i)
+  {
+    if (!scan.isValid(i)) continue;
+    auto windowEnd = windowBegin;
+    for (int step = -half; step <= half; ++step)
+    {
+      const int j = scan.grid.neighbour(i, step);
+      if (j >= 0 && scan.isValid(j)) *windowEnd++ = scratch[static_cast<std::size_t>(j)];
+    }
+    const auto middle = windowBegin + (windowEnd - windowBegin) / 2;
+    std::nth_element(windowBegin, middle, windowEnd);
+    scan.range_m[static_cast<std::size_t>(i)] = *middle;
+  }
+}
+}  // namespace psmks
