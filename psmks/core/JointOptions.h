@@ -12,29 +12,29 @@ enum class JointSolver
   Ceres
 };
 
-/** The joint scheme (docs/algorithm.md): hypotheses where the guess may be far off, Gauss-Newton over
- *  x, y and theta, acceptance by the free-space score. */
+/** The joint scheme (docs/algorithm.md): hypotheses where the guess may be far off, Gauss-Newton
+ * over x, y and theta, acceptance by the free-space score. */
 struct JointOptions
 {
   // Hypotheses
-  double searchRadius_m = 1.3;              //!< of the translation search about the guess
-  double searchAngle_rad = degToRad(60);    //!< of the vote of segment angles about the guess
-  int votedAngles = 4;                      //!< peaks of the vote that are followed
-  int refinedHypotheses = 8;                //!< starts that go through Gauss-Newton at most
-  double confidentScore = 0.92;             //!< a score from which no further start is tried
+  double searchRadius_m = 1.3;            //!< of the translation search about the guess
+  double searchAngle_rad = degToRad(60);  //!< of the vote of segment angles about the guess
+  int votedAngles = 4;                    //!< peaks of the vote that are followed
+  int refinedHypotheses = 8;              //!< starts that go through Gauss-Newton at most
+  double confidentScore = 0.92;           //!< a score from which no further start is tried
   // Refinement
-  double distanceGate_m = 0.30;             //!< between associated lines, first association
-  double angleGate_rad = degToRad(10);      //!< between associated lines, first association
-  double kernelWidth = 4.5;                 //!< standard deviations at which a line pair loses weight
-  double singleRayWeight = 0.5;             //!< of unsegmented rays
+  double distanceGate_m = 0.30;         //!< between associated lines, first association
+  double angleGate_rad = degToRad(10);  //!< between associated lines, first association
+  double kernelWidth = 4.5;             //!< standard deviations at which a line pair loses weight
+  double singleRayWeight = 0.5;         //!< of unsegmented rays
   int reassociations = 3;
-  int maxIterations = 10;                   //!< Gauss-Newton steps per association
+  int maxIterations = 10;  //!< Gauss-Newton steps per association
   double stopTranslation_m = 1e-4;
   double stopRotation_rad = degToRad(1e-3);
   JointSolver solver = JointSolver::GaussNewton;
   // Acceptance
-  double acceptScore = 0.65;                //!< a lower free-space score fails
-  double weakDirectionSigma_m = 0.015;      //!< a direction known worse is not observable
+  double acceptScore = 0.65;            //!< a lower free-space score fails
+  double weakDirectionSigma_m = 0.015;  //!< a direction known worse is not observable
   double weakHeadingSigma_rad = degToRad(1.0);
 };
 

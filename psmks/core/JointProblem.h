@@ -17,8 +17,8 @@ struct LinePairTerm
 {
   Eigen::Vector2d refNormal;    //!< n, reference frame
   double refDistance_m;         //!< d
-  Eigen::Vector2d curAnchor_m;  //!< q, the point of the current line where its errors of distance and
-                                //!< angle are independent; current frame
+  Eigen::Vector2d curAnchor_m;  //!< q, the point of the current line where its errors of distance
+                                //!< and angle are independent; current frame
   double angle_rad;             //!< phi_cur - phi_ref, wrapped about the start
   Eigen::Matrix2d information;  //!< inverse covariance of the residual, of both lines
 };
@@ -43,9 +43,9 @@ struct PriorTerm
   Eigen::Matrix3d information;  //!< of (x, y, phi) in reference axes
 };
 
-/** Least squares over the pose with fixed associations. The cost of a line pair or a ray with squared
- *  Mahalanobis distance s is rho(s) = k^2 log(1 + s / k^2) (Cauchy, k = kernelWidth); the prior has
- *  no kernel. Cost = 1/2 sum rho(s_i) + 1/2 prior. */
+/** Least squares over the pose with fixed associations. The cost of a line pair or a ray with
+ * squared Mahalanobis distance s is rho(s) = k^2 log(1 + s / k^2) (Cauchy, k = kernelWidth); the
+ * prior has no kernel. Cost = 1/2 sum rho(s_i) + 1/2 prior. */
 struct JointProblem
 {
   std::vector<LinePairTerm> linePairs;

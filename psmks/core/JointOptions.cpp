@@ -1,0 +1,43 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/JointOptions.h>
+
+namespace psmks
+{
+void listFields(OptionTable& table, JointOptions& o)
+{
+  table.beginSection("joint", "The joint scheme: hypotheses, refinement and acceptance.");
+  table.add("search_radius_m", o.searchRadius_m, Unit::Metre, 0, 10,
+            "displacement from the guess that is searched");
+  table.add("search_angle_deg", o.searchAngle_rad, Unit::Degree, 0, degToRad(180),
+            "rotation from the guess that is searched, to either side");
+  table.add("voted_angles", o.votedAngles, 1, 36,
+            "peaks of the vote of segment angles that are followed");
+  table.add("refined_hypotheses", o.refinedHypotheses, 1, 100,
+            "starts that are refined at most when the guess does not hold");
+  table.add("confident_score", o.confidentScore, Unit::None, 0, 1,
+            "free-space score from which no further start is tried");
+  table.add(
+      "distance_gate_m", o.distanceGate_m, Unit::Metre, 1e-3, 10,
+      "lines farther apart are not associated, first association; halved at each further one");
+  table.add(
+      "angle_gate_deg", o.angleGate_rad, Unit::Degree, 0, degToRad(90),
+      "lines at a larger angle are not associated, first association; halved at each further one");
+  table.add("kernel_width", o.kernelWidth, Unit::None, 0.1, 1e3,
+            "standard deviations at which a whole line pair begins to lose its weight (Cauchy)");
+  table.add("single_ray_weight", o.singleRayWeight, Unit::None, 0, 1,
+            "weight of rays that belong to no segment");
+  table.add("reassociations", o.reassociations, 1, 20, "associations in one refinement");
+  table.add("max_iterations", o.maxIterations, 1, 1000, "Gauss-Newton steps per association");
+  table.add("stop_translation_m", o.stopTranslation_m, Unit::Metre, 0, 1,
+            "converged when a step is shorter and the rotation step below its limit");
+  table.add("stop_rotation_deg", o.stopRotation_rad, Unit::Degree, 0, degToRad(45),
+            "see stop_translation_m");
+  table.add("solver", o.solver, {"gauss-newton", "ceres"}, "who solves the joint step");
+  table.add("accept_score", o.acceptScore, Unit::None, 0, 1,
+            "a pose with a lower free-space score is refused");
+  table.add("weak_direction_sigma_m", o.weakDirectionSigma_m, Unit::Metre, 1e-4, 10,
+            "a direction in which the scans fix the position worse is not observable");
+  table.add("weak_heading_sigma_deg", o.weakHeadingSigma_rad, Unit::Degree, degToRad(1e-3),
+            degToRad(180), "a heading that the scans fix worse is not observable");
+}
+}  // namespace psmks

@@ -1,0 +1,213 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/LinePairing.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+MatchView::AnchoredLine anchored(const Line& line)
+{
+  // The distance error of the line at `along` from its foot is along d(phi0) - d(r0): independent
+  // of d(phi0) at along = cov(r0, phi0) / var(phi0).
+  const Eigen::Matrix2d& P = line.covariance;
+  const double along_m = P(1, 1) > 0 ? P(0, 1) / P(1, 1) : 0;
+  MatchView::AnchoredLine a;
+  a.normal = line.normal();
+  a.along = {-a.normal.y(), a.normal.x()};
+  a.anchor_m = line.r0_m * a.normal + along_m * a.along;
+  a.distanceVariance_m2 = line.distanceVariance_m2(along_m);
+  a.angleVariance_rad2 = P(1, 1);
+  return a;
+}
+
+/** Covariance of (distance, angle) of a current line at its anchor against a reference line. */
+Eigen::Matrix2d pairCovariance(const MatchView::AnchoredLine& ref,
+                               const MatchView::AnchoredLine& cur, double along_m)
+{
+  // The reference line swings about its own anchor: its distance at `along` from there is off by
+  // along d(phi), and the residual's angle by -d(phi).
+  Eigen::Matrix2d C;
+  C(0, 0) = cur.distanceVariance_m2 + ref.distanceVariance_m2 +
+            along_m * along_m * ref.angleVariance_rad2;
+  C(0, 1) = C(1, 0) = -along_m * ref.angleVariance_rad2;
+  C(1, 1) = cur.angleVariance_rad2 + ref.angleVariance_rad2;
+  return C;
+}
+
+/** The stretch of rays of the reference grid that both segments cover. */
+struct SharedRays
+{
+  double first, last;  //!< fractional indices, last >= first; beyond count on a closed grid
+  double count() const { return last - first + 1; }
+};
+
+class Pairing
+{
+ public:
+  Pairing(const MatchView& reference, const MatchView& current, const Pose2& T_ref_cur,
+          const PairingGates& gates, JointProblem& problem)
+      : ref_(reference),
+        cur_(current),
+        T_ref_cur_(T_ref_cur),
+        R_(T_ref_cur.rotation()),
+        gates_(gates),
+        problem_(problem)
+  {
+  }
+
+  int run()
+  {
+    for (std::size_t c = 0; c < cur_.lines.size(); ++c) pairSegment(c);
+    pairSingles(cur_, ref_, T_ref_cur_, true);
+    pairSingles(ref_, cur_, T_ref_cur_.inverse(), false);
+    return associations_;
+  }
+
+ private:
+  double index(const Eigen::Vector2d& p_ref_m) const
+  {
+    return ref_.scan->grid.index(std::atan2(p_ref_m.y(), p_ref_m.x()));
+  }
+
+  void pairSegment(std::size_t c)
+  {
+    const Segment& segment = cur_.scan->segments[c];
+    const Eigen::Vector2d first_m = T_ref_cur_ * segment.firstEnd_m;
+    const Eigen::Vector2d last_m = T_ref_cur_ * segment.lastEnd_m;
+    const Eigen::Vector2d normal = R_ * cur_.lines[c].normal;
+    if (!(normal.dot(first_m) > 0)) return;  // seen from behind
+    const double first = index(first_m);
+    double last = index(last_m);
+    const double circle = ref_.scan->rays();
+    if (last < first) last += ref_.scan->grid.closed() ? circle : 0;
+    if (!(last > first)) return;
+
+    for (std::size_t r = 0; r < ref_.lines.size(); ++r)
+    {
+      const Segment& other = ref_.scan->segments[r];
+      const double refFirst = other.firstRay;
+      const double refLast = other.lastRay + (other.lastRay < other.firstRay ? circle : 0);
+      tryPair(c, r, {std::max(first, refFirst), std::min(last, refLast)}, normal, first_m);
+      if (!ref_.scan->grid.closed()) continue;
+      tryPair(c, r, {std::max(first, refFirst + circle), std::min(last, refLast + circle)}, normal,
+              first_m);
+      tryPair(c, r, {std::max(first + circle, refFirst), std::min(last + circle, refLast)}, normal,
+              first_m);
+    }
+  }
+
+  /** Both lines where the shared stretch begins and ends: they must stand within the distance gate.
+   */
+  void tryPair(std::size_t c, std::size_t r, const SharedRays& shared,
+               const Eigen::Vector2d& normal, const Eigen::Vector2d& pointOnCurrent_m)
+  {
+    constexpr double kFewestShared = 2;
+    if (!(shared.count() >= kFewestShared)) return;
+    const MatchView::AnchoredLine& ref = ref_.lines[r];
+    const double sine = ref.normal.x() * normal.y() - ref.normal.y() * normal.x();
+    if (ref.normal.dot(normal) <= 0 || std::abs(sine) > std::sin(gates_.angle_rad)) return;
+    const double curDistance_m = normal.dot(pointOnCurrent_m);
+    const double refDistance_m = ref_.scan->segments[r].line.r0_m;
+    for (const double at : {shared.first, shared.last})
+    {
+      const int ray = static_cast<int>(at + 0.5) % ref_.scan->rays();
+      const Eigen::Vector2d direction = ref_.scan->grid.direction(ray);
+      const double curCosine = normal.dot(direction);
+      if (!(curCosine > 0)) return;
+      const double offset_m = ref.normal.dot(direction) * curDistance_m / curCosine - refDistance_m;
+      if (std::abs(offset_m) > gates_.distance_m) return;
+    }
+    addPair(c, r);
+    associations_ += static_cast<int>(shared.count());
+  }
+
+  void addPair(std::size_t c, std::size_t r)
+  {
+    const MatchView::AnchoredLine& ref = ref_.lines[r];
+    const MatchView::AnchoredLine& cur = cur_.lines[c];
+    const Eigen::Vector2d anchor_ref_m = T_ref_cur_ * cur.anchor_m;
+    const double along_m = ref.along.dot(anchor_ref_m - ref.anchor_m);
+    const double angle_rad =
+        cur_.scan->segments[c].line.phi0_rad - ref_.scan->segments[r].line.phi0_rad;
+    problem_.linePairs.push_back({ref.normal, ref.normal.dot(ref.anchor_m), cur.anchor_m,
+                                  wrapAngle(angle_rad),
+                                  pairCovariance(ref, cur, along_m).inverse()});
+  }
+
+  /** Single rays of one scan against the lines of the other. */
+  void pairSingles(const MatchView& from, const MatchView& to, const Pose2& T_to_from, bool current)
+  {
+    const Eigen::Matrix2d R = T_to_from.rotation();
+    const Eigen::Vector2d t = T_to_from.translation();
+    const double rangeVariance_m2 = from.scan->rangeSigma_m * from.scan->rangeSigma_m;
+    for (const int single : from.singles)
+    {
+      const auto i = static_cast<std::size_t>(single);
+      const Eigen::Vector2d point_m(from.points.x_m[i], from.points.y_m[i]);
+      const Eigen::Vector2d p_m = R * point_m + t;
+      const int line = nearestLine(to, p_m);
+      if (line < 0) continue;
+      const MatchView::AnchoredLine& l = to.lines[static_cast<std::size_t>(line)];
+      // The error of a range moves the point along its ray; only the part across the line counts.
+      const double cosine = l.normal.dot(R * point_m) / point_m.norm();
+      const double along_m = l.along.dot(p_m - l.anchor_m);
+      const double variance_m2 = rangeVariance_m2 * cosine * cosine + l.distanceVariance_m2 +
+                                 along_m * along_m * l.angleVariance_rad2;
+      problem_.rays.push_back({current, point_m, l.normal, l.normal.dot(l.anchor_m),
+                               gates_.singleRayWeight / variance_m2});
+      ++associations_;
+    }
+  }
+
+  /** Of the lines at the bearing of a point the nearer one within the gate, or -1. */
+  int nearestLine(const MatchView& view, const Eigen::Vector2d& p_m) const
+  {
+    const auto x = static_cast<float>(p_m.x()), y = static_cast<float>(p_m.y());
+    const int k = view.surface.cellOf(x, y);
+    if (k < 0) return -1;
+    const PolarSurface::Cell& cell = view.surface.cell(k);
+    int nearest = -1;
+    float best_m = static_cast<float>(gates_.distance_m);
+    for (int side = 0; side < 2; ++side)
+    {
+      if (cell.segment[side] == SegmentedScan::kNoSegment) continue;
+      const float d_m = std::fabs(cell.nx[side] * x + cell.ny[side] * y - cell.d[side]);
+      if (d_m >= best_m) continue;
+      best_m = d_m;
+      nearest = cell.segment[side];
+    }
+    return nearest;
+  }
+
+  const MatchView& ref_;
+  const MatchView& cur_;
+  const Pose2& T_ref_cur_;
+  const Eigen::Matrix2d R_;
+  const PairingGates& gates_;
+  JointProblem& problem_;
+  int associations_ = 0;
+};
+}  // namespace
+
+void MatchView::build(const SegmentedScan& segmented)
+{
+  scan = &segmented;
+  surface.build(segmented);
+  points.build(segmented);
+  lines.clear();
+  for (const Segment& segment : segmented.segments) lines.push_back(anchored(segment.line));
+  singles.clear();
+  for (int i = 0; i < points.size(); ++i)
+    if (points.segment[static_cast<std::size_t>(i)] == SegmentedScan::kNoSegment)
+      singles.push_back(i);
+}
+
+int pairLines(const MatchView& reference, const MatchView& current, const Pose2& T_ref_cur,
+              const PairingGates& gates, JointProblem& problem)
+{
+  return Pairing(reference, current, T_ref_cur, gates, problem).run();
+}
+}  // namespace psmks

@@ -1,0 +1,57 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/JointProblem.h>
+#include <psmks/core/PolarSurface.h>
+#include <psmks/core/SegmentedScan.h>
+
+#include <vector>
+
+namespace psmks
+{
+/** A scan with everything derived from it that a joint match looks up. */
+struct MatchView
+{
+  const SegmentedScan* scan = nullptr;
+  PolarSurface surface;
+  RayPoints points;
+
+  /** A segment's line in the form that separates its errors: at the anchor, distance and angle
+   * errors are independent. */
+  struct AnchoredLine
+  {
+    Eigen::Vector2d normal;
+    Eigen::Vector2d along;  //!< unit vector, counter-clockwise
+    Eigen::Vector2d anchor_m;
+    double distanceVariance_m2, angleVariance_rad2;
+  };
+  std::vector<AnchoredLine> lines;  //!< one per segment
+  std::vector<int> singles;         //!< indices into points of the rays without a segment
+
+  /** Keeps a pointer to the scan. */
+  void build(const SegmentedScan& segmented);
+};
+
+/** Gates of an association. */
+struct PairingGates
+{
+  double distance_m;
+  double angle_rad;
+  double singleRayWeight;
+};
+
+/** Associates lines and single rays of two scans at a pose and appends them to a problem.
+ *
+ * Lines (paper, section 2.1): a current segment goes with every reference segment that it covers
+ * when seen from the reference viewpoint, where both stand within the gates over the rays they
+ * share and are seen from the same side. Single rays, in both directions: with the line of the
+ * other scan at their bearing, of two at a boundary the nearer.
+ *
+ * Differs from the paper: whole lines are compared with the covariances of both, instead of the
+ * rays of one with the line of the other; the common error of a reference line is then counted
+ * once.
+ *
+ * @return associated rays */
+int pairLines(const MatchView& reference, const MatchView& current, const Pose2& T_ref_cur,
+              const PairingGates& gates, JointProblem& problem);
+}  // namespace psmks
