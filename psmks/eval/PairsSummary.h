@@ -1,0 +1,60 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/MatchResult.h>
+#include <psmks/core/Pose2.h>
+#include <psmks/eval/PairError.h>
+#include <psmks/eval/Table.h>
+
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** What one matcher made of one pair. */
+struct PairRecord
+{
+  int id = 0;
+  MatchResult result;
+  bool hasCovariance = true;  //!< false for matchers that do not say how well they know
+  Pose2 T_ref_cur_true;
+  double time_s = 0;
+
+  PairError error() const { return pairError(result.T_ref_cur, T_ref_cur_true); }
+};
+
+/** The records of one matcher from one kind of guess. */
+struct PairsRun
+{
+  std::string matcher;
+  std::string guess;
+  std::vector<PairRecord> records;
+};
+
+/** A run in figures. A failed match counts with the error of its guess. Figures that do not exist
+ * are NaN. */
+struct PairsSummary
+{
+  int pairs = 0;
+  double successShare = 0;
+  double translationMedian_m = 0, translationP95_m = 0;
+  double rotationMedian_rad = 0, rotationP95_rad = 0;
+  int acceptedAndWrong = 0, failed = 0, degenerate = 0;
+  double neesMean = 0;        //!< over usable matches that state a covariance; 3 is right
+  double ellipsoidShare = 0;  //!< of these, inside the 95 % ellipsoid
+  double timeMedian_s = 0, timeP95_s = 0;
+};
+
+PairsSummary summarize(const std::vector<PairRecord>& records);
+
+/** One row a run.
+ *  @param baseline name of the matcher whose median time with the same guess is the unit of the
+ *  column of time ratios; where it is not among the runs the ratios are NaN */
+Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
+                 const std::string& baseline);
+
+/** Every record of every run as CSV: header once, then one row a pair and matcher. Columns of the
+ *  standard deviations are empty where there is no covariance. */
+std::string dumpHeader();
+std::string dumpRows(const PairsRun& run);
+}  // namespace psmks
