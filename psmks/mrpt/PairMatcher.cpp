@@ -1,0 +1,69 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/mrpt/GuessPairMatcher.h>
+#include <psmks/mrpt/IcpPairMatcher.h>
+#include <psmks/mrpt/PairMatcher.h>
+#include <psmks/mrpt/PsmksPairMatcher.h>
+
+#include <functional>
+
+namespace psmks
+{
+namespace
+{
+using mrpt::slam::TICPAlgorithm;
+
+using Maker = std::function<std::unique_ptr<PairMatcher>(const std::string&, MatcherOptions)>;
+
+std::unique_ptr<PairMatcher> makePsmks(const std::string& name, MatcherOptions options)
+{
+  return std::make_unique<PsmksPairMatcher>(name, std::move(options));
+}
+
+std::unique_ptr<PairMatcher> makePsmksPaper(const std::string& name, MatcherOptions options)
+{
+  options.scheme = Scheme::Paper;
+  options.segmentation.filter = LineFilter::Ekf;
+  return makePsmks(name, std::move(options));
+}
+
+template <TICPAlgorithm algorithm>
+std::unique_ptr<PairMatcher> makeIcp(const std::string& name, MatcherOptions)
+{
+  return std::make_unique<IcpPairMatcher>(name, algorithm);
+}
+
+std::unique_ptr<PairMatcher> makeGuess(const std::string& name, MatcherOptions)
+{
+  return std::make_unique<GuessPairMatcher>(name);
+}
+
+const std::vector<std::pair<std::string, Maker>>& makers()
+{
+  static const std::vector<std::pair<std::string, Maker>> all{
+      {"psmks", makePsmks},
+      {"psmks-paper", makePsmksPaper},
+      {"icp-classic", makeIcp<mrpt::slam::icpClassic>},
+      {"icp-lm", makeIcp<mrpt::slam::icpLevenbergMarquardt>},
+      {"guess", makeGuess}};
+  return all;
+}
+}  // namespace
+
+std::vector<std::string> pairMatcherNames()
+{
+  std::vector<std::string> names;
+  for (const auto& [name, maker] : makers()) names.push_back(name);
+  return names;
+}
+
+std::unique_ptr<PairMatcher> makePairMatcher(const std::string& name, const MatcherOptions& options)
+{
+  std::string known;
+  for (const auto& [knownName, make] : makers())
+  {
+    if (knownName == name) return make(name, options);
+    known += (known.empty() ? "" : " | ") + knownName;
+  }
+  throw OptionError("matcher '" + name + "' is not known, allowed: " + known);
+}
+}  // namespace psmks

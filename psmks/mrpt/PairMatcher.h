@@ -1,0 +1,56 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/Guess.h>
+#include <psmks/core/MatchResult.h>
+#include <psmks/core/MatcherOptions.h>
+#include <psmks/core/Scan.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** Any method that estimates the motion between two scans: psmks' own schemes and the ones they are
+ *  compared with. Owns its buffers, so one object serves one thread. */
+class PairMatcher
+{
+ public:
+  virtual ~PairMatcher() = default;
+
+  /** The name it was made by. */
+  virtual std::string name() const = 0;
+
+  /** Pose of the current scan in the frame of the reference scan. Everything the method does with
+   * the raw scans happens in here. Bad data never throws: see MatchStatus. */
+  virtual MatchResult match(const Scan& reference, const Scan& current, const Guess& guess) = 0;
+
+  /** Keeps a reference for the calls of matchToReference() that follow. */
+  virtual void setReference(const Scan& reference) { reference_ = reference; }
+
+  /** As match() against the last reference that was set, whose preparation is not repeated. */
+  virtual MatchResult matchToReference(const Scan& current, const Guess& guess)
+  {
+    return match(reference_, current, guess);
+  }
+
+ private:
+  Scan reference_;
+};
+
+/** The names that makePairMatcher() knows. */
+std::vector<std::string> pairMatcherNames();
+
+/** A matcher by its name:
+ *
+ *  - `psmks`: these options
+ *  - `psmks-paper`: these options, but the paper's scheme and line filter
+ *  - `icp-classic`, `icp-lm`: mrpt::slam::CICP with its default parameters
+ *  - `guess`: no match at all, the guess is the answer
+ *
+ *  @throws OptionError naming the known ones for any other name, and where the options choose a
+ * solver that was not built */
+std::unique_ptr<PairMatcher> makePairMatcher(const std::string& name,
+                                             const MatcherOptions& options = {});
+}  // namespace psmks
