@@ -33,6 +33,8 @@ void listFields(OptionTable& table, JointOptions& o)
   table.add("stop_rotation_deg", o.stopRotation_rad, Unit::Degree, 0, degToRad(45),
             "see stop_translation_m");
   table.add("solver", o.solver, {"gauss-newton", "ceres"}, "who solves the joint step");
+  table.add("min_associations", o.minAssociations, 1, 100000,
+            "fewer associated rays fail the match");
   table.add("accept_score", o.acceptScore, Unit::None, 0, 1,
             "a pose with a lower free-space score is refused");
   table.add("weak_direction_sigma_m", o.weakDirectionSigma_m, Unit::Metre, 1e-4, 10,

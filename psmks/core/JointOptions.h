@@ -33,6 +33,7 @@ struct JointOptions
   double stopRotation_rad = degToRad(1e-3);
   JointSolver solver = JointSolver::GaussNewton;
   // Acceptance
+  int minAssociations = 10;             //!< fewer associated rays fail
   double acceptScore = 0.65;            //!< a lower free-space score fails
   double weakDirectionSigma_m = 0.015;  //!< a direction known worse is not observable
   double weakHeadingSigma_rad = degToRad(1.0);

@@ -13,8 +13,8 @@
 
 namespace psmks
 {
-/** The buffers of a match. One per thread; after the first match with scans of a size, a further one
- *  allocates nothing. */
+/** The buffers of a match. One per thread; after the first match with scans of a size, a further
+ * one allocates nothing. */
 class MatcherWorkspace
 {
  public:
@@ -45,13 +45,14 @@ class Matcher
 
   /** Preprocessing and segmentation by these options; see segmentScan(). A scan that serves as
    *  reference several times is segmented once. */
-  void segment(const Scan& scan, SegmentedScan& result) const;
+  void segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedScan& result) const;
 
   /** Pose of the current scan in the frame of the reference scan. Bad data never throws: see
    *  MatchStatus.
    *  @param trace filled with the steps where not null */
-  MatchResult match(const SegmentedScan& reference, const SegmentedScan& current, const Guess& guess,
-                    MatcherWorkspace& workspace, MatchTrace* trace = nullptr) const;
+  MatchResult match(const SegmentedScan& reference, const SegmentedScan& current,
+                    const Guess& guess, MatcherWorkspace& workspace,
+                    MatchTrace* trace = nullptr) const;
 
   /** The same from raw scans: segments both, and counts the time of it. */
   MatchResult match(const Scan& reference, const Scan& current, const Guess& guess,

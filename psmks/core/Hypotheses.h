@@ -1,0 +1,71 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/LinePairing.h>
+
+#include <vector>
+
+namespace psmks
+{
+/** Limits of the search about a guess. */
+struct SearchLimits
+{
+  double radius_m;
+  double angle_rad;
+  int votedAngles;
+};
+
+/** A rotation that many pairs of segments agree on. */
+struct VotedAngle
+{
+  double phi_rad;  //!< heading of the current frame in the reference frame
+  double votes;
+};
+
+/** A pose worth a closer look. */
+struct Hypothesis
+{
+  Pose2 T_ref_cur;
+  double votes = 0;
+  double score = 0;
+};
+
+/** Votes of segment angles and of line intersections.
+ *
+ * Every pair of a current and a reference segment proposes the rotation that makes them parallel;
+ * the angles of true pairs agree, whatever the translation. At a voted angle every parallel pair
+ * fixes the translation across its line, n.t = d_ref - d_cur, and two pairs that are not parallel
+ * fix all of it: the true translation collects many of these intersections (docs/algorithm.md). */
+class HypothesisSearch
+{
+ public:
+  /** Appends the hypotheses within the limits about the guess, those with most votes first. */
+  void propose(const MatchView& reference, const MatchView& current, const Pose2& guess_T_ref_cur,
+               const SearchLimits& limits, std::vector<Hypothesis>& hypotheses);
+
+ private:
+  struct Constraint
+  {
+    double nx, ny, offset_m;  //!< n.t = offset, t from the guess
+    double weight_m;
+  };
+  struct Cell
+  {
+    double votes, sumX_m, sumY_m;
+  };
+
+  void voteAngles(const MatchView& reference, const MatchView& current, double guess_rad,
+                  const SearchLimits& limits);
+  void voteTranslations(const MatchView& reference, const MatchView& current, const Pose2& guess,
+                        const VotedAngle& angle, const SearchLimits& limits);
+  void collectPeaks(const Pose2& guess, const VotedAngle& angle,
+                    std::vector<Hypothesis>& hypotheses) const;
+  void cast(double x_m, double y_m, double votes, double radius_m);
+
+  std::vector<double> histogram_;
+  std::vector<VotedAngle> angles_;
+  std::vector<Constraint> constraints_;
+  std::vector<Cell> grid_;
+  int gridSide_ = 0;
+};
+}  // namespace psmks

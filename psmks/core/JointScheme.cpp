@@ -1,0 +1,221 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/FreeSpaceScore.h>
+#include <psmks/core/JointScheme.h>
+#include <psmks/core/JointSolver.h>
+#include <psmks/core/Observability.h>
+#include <psmks/core/Stopwatch.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace psmks
+{
+namespace
+{
+/** A refined pose. */
+struct Candidate
+{
+  Pose2 T_ref_cur;
+  double score = -1;
+  int associations = 0;
+  bool converged = false;
+};
+
+class JointMatch
+{
+ public:
+  JointMatch(const Guess& guess, const JointOptions& options, const ExternalSolvers* external,
+             JointBuffers& buffers, MatchTrace* trace)
+      : guess_(guess), options_(options), external_(external), buffers_(buffers), trace_(trace)
+  {
+    const double sigma_m =
+        std::max(buffers.reference.scan->rangeSigma_m, buffers.current.scan->rangeSigma_m);
+    tolerance_m_ = surfaceTolerance_m(sigma_m);
+    result_.T_ref_cur = guess.T_ref_cur;
+    if (guess.covariance) result_.covariance = *guess.covariance;
+  }
+
+  MatchResult run()
+  {
+    result_.errorBefore = 1 - fullScore(guess_.T_ref_cur);
+    result_.errorAfter = result_.errorBefore;
+    if (roughScore(guess_.T_ref_cur) >= kPromising) consider(guess_.T_ref_cur);
+    if (best_.score < options_.confidentScore) searchFurther();
+    return conclude();
+  }
+
+ private:
+  static constexpr double kPromising = 0.5;  //!< rough score from which a guess is refined first
+
+  // ---- scores ---------------------------------------------------------------------------------
+
+  /** Cheap score of a start that may be off by some centimetres: every fourth ray, one way. */
+  double roughScore(const Pose2& T_ref_cur) const
+  {
+    constexpr float kRoughTolerance_m = 0.15f;
+    constexpr int kStride = 4;
+    return freeSpaceScore(countRays(buffers_.current.points, buffers_.reference.surface, T_ref_cur,
+                                    kRoughTolerance_m, kStride));
+  }
+
+  double fullScore(const Pose2& T_ref_cur) const
+  {
+    RayCounts counts =
+        countRays(buffers_.current.points, buffers_.reference.surface, T_ref_cur, tolerance_m_);
+    counts += countRays(buffers_.reference.points, buffers_.current.surface, T_ref_cur.inverse(),
+                        tolerance_m_);
+    return freeSpaceScore(counts);
+  }
+
+  // ---- refinement -----------------------------------------------------------------------------
+
+  Candidate refine(const Pose2& start)
+  {
+    JointProblem& problem = buffers_.problem;
+    Candidate candidate;
+    candidate.T_ref_cur = start;
+    PairingGates gates{options_.distanceGate_m, options_.angleGate_rad, options_.singleRayWeight};
+    for (int round = 0; round < options_.reassociations; ++round)
+    {
+      problem.clear();
+      problem.kernelWidth = options_.kernelWidth;
+      if (guess_.covariance)
+        problem.prior = PriorTerm{guess_.T_ref_cur, guess_.covariance->inverse()};
+      candidate.associations =
+          pairLines(buffers_.reference, buffers_.current, candidate.T_ref_cur, gates, problem);
+      if (candidate.associations < options_.minAssociations) break;
+      candidate.converged = solve(problem, candidate.T_ref_cur);
+      gates.distance_m /= 2;
+      gates.angle_rad /= 2;
+    }
+    return candidate;
+  }
+
+  bool solve(const JointProblem& problem, Pose2& T_ref_cur)
+  {
+    if (options_.solver == JointSolver::Ceres) return external_->solveJoint(problem, T_ref_cur);
+    const SolverLimits limits{options_.maxIterations, options_.stopTranslation_m,
+                              options_.stopRotation_rad};
+    const JointSolution solution = solveByGaussNewton(problem, limits, T_ref_cur);
+    result_.iterations += solution.iterations;
+    return solution.converged;
+  }
+
+  /** Refines a start and keeps it if it is the best so far. */
+  void consider(const Pose2& start)
+  {
+    Stopwatch watch;
+    Candidate candidate = refine(start);
+    result_.times.refinement_s += watch.lap_s();
+    ++result_.hypotheses;
+    mostAssociations_ = std::max(mostAssociations_, candidate.associations);
+    if (candidate.associations < options_.minAssociations) return;
+    candidate.score = fullScore(candidate.T_ref_cur);
+    result_.times.scoring_s += watch.lap_s();
+    if (trace_)
+      trace_->steps.push_back(
+          {"gauss-newton", candidate.T_ref_cur, candidate.score, candidate.associations, 0});
+    if (candidate.score <= best_.score) return;
+    best_ = candidate;
+    std::swap(buffers_.problem, buffers_.bestProblem);
+  }
+
+  void searchFurther()
+  {
+    Stopwatch watch;
+    std::vector<Hypothesis>& hypotheses = buffers_.hypotheses;
+    hypotheses.clear();
+    const SearchLimits limits{options_.searchRadius_m, options_.searchAngle_rad,
+                              options_.votedAngles};
+    buffers_.search.propose(buffers_.reference, buffers_.current, guess_.T_ref_cur, limits,
+                            hypotheses);
+    if (result_.hypotheses == 0) hypotheses.push_back({guess_.T_ref_cur, 0, 0});
+    for (Hypothesis& h : hypotheses) h.score = roughScore(h.T_ref_cur);
+    std::sort(hypotheses.begin(), hypotheses.end(),
+              [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
+    result_.times.search_s += watch.lap_s();
+
+    const auto most =
+        std::min(hypotheses.size(), static_cast<std::size_t>(options_.refinedHypotheses));
+    for (std::size_t i = 0; i < most && best_.score < options_.confidentScore; ++i)
+      consider(hypotheses[i].T_ref_cur);
+  }
+
+  // ---- conclusion -----------------------------------------------------------------------------
+
+  MatchResult conclude()
+  {
+    if (mostAssociations_ < options_.minAssociations)
+      return failed(MatchStatus::TooFewAssociations);
+    result_.score = best_.score;
+    result_.associations = best_.associations;
+    if (best_.score < options_.acceptScore) return failed(MatchStatus::NoImprovement);
+
+    Stopwatch watch;
+    result_.status = best_.converged ? MatchStatus::Converged : MatchStatus::MaxIterations;
+    result_.T_ref_cur = best_.T_ref_cur;
+    result_.errorAfter = 1 - best_.score;
+    const NormalEquations known = linearise(buffers_.bestProblem, best_.T_ref_cur, false);
+    settleUnobservable(observability(known.H));
+    const Eigen::Matrix3d prior = guess_.covariance
+                                      ? guess_.covariance->inverse().eval()
+                                      : MatchResult::unknownCovariance().inverse().eval();
+    result_.covariance = (known.H + prior).inverse();
+    result_.times.scoring_s += watch.lap_s();
+    return result_;
+  }
+
+  MatchResult failed(MatchStatus status)
+  {
+    result_.status = status;
+    return result_;
+  }
+
+  /** What the scans do not fix is flagged, and where it is wide open put back to the guess. */
+  void settleUnobservable(const Observability& o)
+  {
+    constexpr double kWideOpen_m = 0.05, kWideOpenWithPrior_m = 0.03;
+    if (o.weakSigma_m > options_.weakDirectionSigma_m)
+    {
+      result_.status = MatchStatus::Degenerate;
+      result_.unobservableDirection = o.weakDirection;
+      if (o.weakSigma_m > (guess_.covariance ? kWideOpenWithPrior_m : kWideOpen_m))
+      {
+        const double moved_m =
+            o.weakDirection.dot(result_.T_ref_cur.translation() - guess_.T_ref_cur.translation());
+        result_.T_ref_cur.x_m -= moved_m * o.weakDirection.x();
+        result_.T_ref_cur.y_m -= moved_m * o.weakDirection.y();
+      }
+    }
+    if (o.headingSigma_rad > options_.weakHeadingSigma_rad)
+    {
+      result_.status = MatchStatus::Degenerate;
+      result_.headingUnobservable = true;
+      result_.T_ref_cur.phi_rad = guess_.T_ref_cur.phi_rad;
+    }
+  }
+
+  const Guess& guess_;
+  const JointOptions& options_;
+  const ExternalSolvers* external_;
+  JointBuffers& buffers_;
+  MatchTrace* trace_;
+  float tolerance_m_ = 0;
+  Candidate best_;
+  int mostAssociations_ = 0;
+  MatchResult result_;
+};
+}  // namespace
+
+MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedScan& current,
+                               const Guess& guess, const JointOptions& options,
+                               const ExternalSolvers* external, JointBuffers& buffers,
+                               MatchTrace* trace)
+{
+  buffers.reference.build(reference);
+  buffers.current.build(current);
+  return JointMatch(guess, options, external, buffers, trace).run();
+}
+}  // namespace psmks

@@ -1,0 +1,39 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/ExternalSolvers.h>
+#include <psmks/core/Guess.h>
+#include <psmks/core/Hypotheses.h>
+#include <psmks/core/JointOptions.h>
+#include <psmks/core/MatchResult.h>
+#include <psmks/core/MatchTrace.h>
+#include <psmks/core/SegmentedScan.h>
+
+#include <vector>
+
+namespace psmks
+{
+/** The buffers of a joint match, kept from one to the next. */
+struct JointBuffers
+{
+  MatchView reference, current;
+  HypothesisSearch search;
+  std::vector<Hypothesis> hypotheses;
+  JointProblem problem, bestProblem;
+};
+
+/** Matches two scans by the joint scheme (docs/algorithm.md):
+ *
+ *  1. Refine the guess: associate lines and single rays, Gauss-Newton over x, y, theta, again with
+ *     narrower gates.
+ *  2. Score the result by free space. Where it is not convincing, let segment angles and line
+ *     intersections vote for other starts and refine those, most promising first.
+ *  3. Accept the pose with the best score if that is high enough; find out what it leaves open.
+ *
+ * @param external null unless options.solver is Ceres
+ * @param trace may be null */
+MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedScan& current,
+                               const Guess& guess, const JointOptions& options,
+                               const ExternalSolvers* external, JointBuffers& buffers,
+                               MatchTrace* trace);
+}  // namespace psmks

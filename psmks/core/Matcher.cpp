@@ -1,0 +1,91 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/JointScheme.h>
+#include <psmks/core/Matcher.h>
+#if __has_include(<psmks/core/PaperScheme.h>)
+#include <psmks/core/PaperScheme.h>
+#endif
+#include <psmks/core/Segmentation.h>
+#include <psmks/core/Stopwatch.h>
+
+#include <utility>
+
+namespace psmks
+{
+struct MatcherWorkspace::Buffers
+{
+  SegmentationBuffers segmentation;
+  SegmentedScan reference, current;
+  JointBuffers joint;
+#if __has_include(<psmks/core/PaperScheme.h>)
+  PaperBuffers paper;
+#endif
+};
+
+MatcherWorkspace::MatcherWorkspace() : buffers_(std::make_unique<Buffers>()) {}
+MatcherWorkspace::~MatcherWorkspace() = default;
+MatcherWorkspace::MatcherWorkspace(MatcherWorkspace&&) noexcept = default;
+MatcherWorkspace& MatcherWorkspace::operator=(MatcherWorkspace&&) noexcept = default;
+
+namespace
+{
+bool needsExternalSolvers(const MatcherOptions& options)
+{
+  return options.paper.translationSolver == TranslationSolver::Ceres ||
+         options.joint.solver == JointSolver::Ceres;
+}
+
+MatchResult invalidInput(const Guess& guess)
+{
+  MatchResult result;
+  result.status = MatchStatus::InvalidInput;
+  if (guess.T_ref_cur.isFinite()) result.T_ref_cur = guess.T_ref_cur;
+  if (guess.covariance) result.covariance = *guess.covariance;
+  return result;
+}
+}  // namespace
+
+Matcher::Matcher(MatcherOptions options, std::shared_ptr<const ExternalSolvers> externalSolvers)
+    : options_(std::move(options)), externalSolvers_(std::move(externalSolvers))
+{
+  if (needsExternalSolvers(options_) && !externalSolvers_)
+    throw OptionError(
+        "option 'solver' or 'translation_solver': 'ceres' is not accepted, no Ceres solvers were "
+        "given "
+        "to the matcher");
+}
+
+void Matcher::segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedScan& result) const
+{
+  segmentScan(scan, options_.preprocessing, options_.segmentation, workspace.buffers().segmentation,
+              result);
+}
+
+MatchResult Matcher::match(const SegmentedScan& reference, const SegmentedScan& current,
+                           const Guess& guess, MatcherWorkspace& workspace, MatchTrace* trace) const
+{
+  const bool usable = guess.T_ref_cur.isFinite() &&
+                      (!guess.covariance || guess.covariance->allFinite()) &&
+                      reference.validRays() > 0 && current.validRays() > 0;
+  if (!usable) return invalidInput(guess);
+#if __has_include(<psmks/core/PaperScheme.h>)
+  if (options_.scheme == Scheme::Paper)
+    return matchByPaperScheme(reference, current, guess, options_.paper, externalSolvers_.get(),
+                              workspace.buffers().paper, trace);
+#endif
+  return matchByJointScheme(reference, current, guess, options_.joint, externalSolvers_.get(),
+                            workspace.buffers().joint, trace);
+}
+
+MatchResult Matcher::match(const Scan& reference, const Scan& current, const Guess& guess,
+                           MatcherWorkspace& workspace, MatchTrace* trace) const
+{
+  Stopwatch watch;
+  MatcherWorkspace::Buffers& buffers = workspace.buffers();
+  segment(reference, workspace, buffers.reference);
+  segment(current, workspace, buffers.current);
+  const double segmentation_s = watch.lap_s();
+  MatchResult result = match(buffers.reference, buffers.current, guess, workspace, trace);
+  result.times.segmentation_s += segmentation_s;
+  return result;
+}
+}  // namespace psmks

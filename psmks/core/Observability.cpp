@@ -1,0 +1,41 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Observability.h>
+
+#include <cmath>
+#include <limits>
+
+namespace psmks
+{
+namespace
+{
+double sigmaOf(double information)
+{
+  return information > 0 ? 1 / std::sqrt(information) : std::numeric_limits<double>::infinity();
+}
+
+/** Smaller eigenvalue of a symmetric 2x2 matrix and its unit eigenvector. */
+double smallerEigenvalue(const Eigen::Matrix2d& S, Eigen::Vector2d& direction)
+{
+  const double mean = 0.5 * (S(0, 0) + S(1, 1)), difference = 0.5 * (S(0, 0) - S(1, 1));
+  const double radius = std::hypot(difference, S(0, 1));
+  // The larger eigenvector lies at half the angle of (difference, off-diagonal).
+  const double larger_rad = 0.5 * std::atan2(S(0, 1), difference);
+  direction = {-std::sin(larger_rad), std::cos(larger_rad)};
+  return mean - radius;
+}
+}  // namespace
+
+Observability observability(const Eigen::Matrix3d& H)
+{
+  Observability o;
+  const Eigen::Matrix2d position = H.topLeftCorner<2, 2>();
+  const Eigen::Vector2d coupling = H.topRightCorner<2, 1>();
+  Eigen::Matrix2d schur = position;
+  if (H(2, 2) > 0) schur -= coupling * coupling.transpose() / H(2, 2);
+  o.weakSigma_m = sigmaOf(smallerEigenvalue(schur, o.weakDirection));
+  const double determinant = position.determinant();
+  const double explained = determinant > 0 ? coupling.dot(position.inverse() * coupling) : 0;
+  o.headingSigma_rad = sigmaOf(H(2, 2) - explained);
+  return o;
+}
+}  // namespace psmks
