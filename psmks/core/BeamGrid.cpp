@@ -11,7 +11,8 @@ namespace
 {
 void requireGrid(bool condition, const char* what, double value)
 {
-  if (!condition) throw std::invalid_argument("BeamGrid: " + (what + (" " + std::to_string(value))));
+  if (!condition)
+    throw std::invalid_argument("BeamGrid: " + (what + (" " + std::to_string(value))));
 }
 }  // namespace
 
@@ -26,8 +27,8 @@ BeamGrid::BeamGrid(double firstBearing_rad, double increment_rad, int count)
               "the increment must be above 0 rad, got", increment_rad);
   requireGrid(count >= 0, "the count must not be negative, got", count);
   const double circle_rad = count * increment_rad;
-  requireGrid(circle_rad < 2 * kPi + increment_rad / 2, "the rays go more than once round, rad:",
-              circle_rad);
+  requireGrid(circle_rad < 2 * kPi + increment_rad / 2,
+              "the rays go more than once round, rad:", circle_rad);
   closed_ = circle_rad > 2 * kPi - increment_rad / 2;
 
   auto directions = std::make_shared<Directions>();

@@ -44,11 +44,12 @@ class BeamGrid
   const double* sines() const { return directions_->sine.data(); }
 
   /** Fractional index of a bearing: ray i has index i. An open grid answers in
-   *  [(count-1)/2 - pi/increment, (count-1)/2 + pi/increment), so that bearings outside the field of
-   *  view fall below 0 or above count-1; a closed grid answers in [-0.5, count-0.5). */
+   *  [(count-1)/2 - pi/increment, (count-1)/2 + pi/increment), so that bearings outside the field
+   * of view fall below 0 or above count-1; a closed grid answers in [-0.5, count-0.5). */
   double index(double bearing_rad) const;
 
-  /** Neighbour of ray i, `step` rays on: wraps on a closed grid; -1 beyond the ends of an open one. */
+  /** Neighbour of ray i, `step` rays on: wraps on a closed grid; -1 beyond the ends of an open one.
+   */
   int neighbour(int i, int step) const;
 
   bool operator==(const BeamGrid& other) const;

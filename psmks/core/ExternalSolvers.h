@@ -20,7 +20,8 @@ class ExternalSolvers
 
   /** @param[in,out] step_m start and result of the translation step; unchanged on failure
    *  @return false if no minimum was found */
-  virtual bool solveTranslation(const TranslationProblem& problem, Eigen::Vector2d& step_m) const = 0;
+  virtual bool solveTranslation(const TranslationProblem& problem,
+                                Eigen::Vector2d& step_m) const = 0;
 
   /** @param[in,out] T_ref_cur start and result; unchanged on failure
    *  @return false if no minimum was found */

@@ -26,12 +26,12 @@ struct Line
   /** Signed distance of a point: positive beyond the line, seen from the origin. */
   double distance_m(const Eigen::Vector2d& p) const { return normal().dot(p) - r0_m; }
 
-  /** Range at which a ray meets the line; +infinity where the ray does not (it runs along the line or
-   *  away from it). */
+  /** Range at which a ray meets the line; +infinity where the ray does not (it runs along the line
+   * or away from it). */
   double rangeAt_m(double bearing_rad) const;
 
-  /** Variance of distance_m() of a point on the line that lies `along_m` metres from the foot, on the
-   *  counter-clockwise side: the error of the line there is along * d(phi0) - d(r0). */
+  /** Variance of distance_m() of a point on the line that lies `along_m` metres from the foot, on
+   * the counter-clockwise side: the error of the line there is along * d(phi0) - d(r0). */
   double distanceVariance_m2(double along_m) const;
 
   /** The same line seen from another frame, with its covariance (algorithm.md, C1).

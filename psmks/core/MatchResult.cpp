@@ -11,13 +11,20 @@ const char* toString(MatchStatus status)
 {
   switch (status)
   {
-    case MatchStatus::NotRun: return "NotRun";
-    case MatchStatus::Converged: return "Converged";
-    case MatchStatus::MaxIterations: return "MaxIterations";
-    case MatchStatus::TooFewAssociations: return "TooFewAssociations";
-    case MatchStatus::NoImprovement: return "NoImprovement";
-    case MatchStatus::Degenerate: return "Degenerate";
-    case MatchStatus::InvalidInput: return "InvalidInput";
+    case MatchStatus::NotRun:
+      return "NotRun";
+    case MatchStatus::Converged:
+      return "Converged";
+    case MatchStatus::MaxIterations:
+      return "MaxIterations";
+    case MatchStatus::TooFewAssociations:
+      return "TooFewAssociations";
+    case MatchStatus::NoImprovement:
+      return "NoImprovement";
+    case MatchStatus::Degenerate:
+      return "Degenerate";
+    case MatchStatus::InvalidInput:
+      return "InvalidInput";
   }
   return "?";
 }

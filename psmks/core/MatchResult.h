@@ -20,8 +20,8 @@ enum class MatchStatus
   NoImprovement,       //!< paper: the matching error did not fall below that of the guess;
                        //!< joint: no pose tried reached the acceptance score. Failure.
   Degenerate,          //!< as Converged, but one direction is not observable (a corridor): along it
-                       //!< the pose is the guess, across it the estimate. Usable with its covariance.
-  InvalidInput         //!< no valid ray in one of the scans, or a guess that is not finite. Failure.
+               //!< the pose is the guess, across it the estimate. Usable with its covariance.
+  InvalidInput  //!< no valid ray in one of the scans, or a guess that is not finite. Failure.
 };
 
 /** "Converged", "Degenerate", ... */

@@ -15,9 +15,10 @@ OptionTable optionTable(MatcherOptions& options)
 {
   OptionTable table;
   table.beginSection("matcher", "The matching scheme.");
-  table.add("scheme", options.scheme, {"joint", "paper"},
-            "joint: Gauss-Newton over position and heading together; paper: alternating orientation "
-            "search and translation regression");
+  table.add(
+      "scheme", options.scheme, {"joint", "paper"},
+      "joint: Gauss-Newton over position and heading together; paper: alternating orientation "
+      "search and translation regression");
   listFields(table, options.preprocessing);
   listFields(table, options.segmentation);
   listFields(table, options.paper);
