@@ -30,12 +30,11 @@ int count(const std::vector<PairRecord>& records, Condition condition)
   return static_cast<int>(std::count_if(records.begin(), records.end(), condition));
 }
 
-/** Of all matches that ask to be trusted together with a covariance. */
 std::vector<double> neesValues(const std::vector<PairRecord>& records)
 {
   std::vector<double> values;
   for (const auto& record : records)
-    if (record.hasCovariance && record.result.usable())
+    if (record.statesAccuracy())
       values.push_back(
           nees(record.result.T_ref_cur, record.result.covariance, record.T_ref_cur_true));
   return values;
@@ -75,6 +74,11 @@ std::vector<Table::Cell> tableRow(const PairsRun& run, const PairsSummary& s, do
           s.timeMedian_s / timeUnit_s};
 }
 }  // namespace
+
+bool PairRecord::statesAccuracy() const
+{
+  return result.usable() && result.covariance != MatchResult::unknownCovariance();
+}
 
 PairsSummary summarize(const std::vector<PairRecord>& records)
 {
@@ -141,8 +145,7 @@ std::string dumpRows(const PairsRun& run)
   for (const auto& record : run.records)
   {
     const Pose2& pose = record.result.T_ref_cur;
-    const auto sigma = [&record](int i)
-    { return record.hasCovariance ? std::sqrt(record.result.covariance(i, i)) : kNoValue; };
+    const auto sigma = [&record](int i) { return std::sqrt(record.result.covariance(i, i)); };
     text += std::to_string(record.id) + ',' + run.matcher + ',' + run.guess + ',' +
             toString(record.result.status);
     for (const double value :

@@ -16,11 +16,13 @@ struct PairRecord
 {
   int id = 0;
   MatchResult result;
-  bool hasCovariance = true;  //!< false for matchers that do not say how well they know
   Pose2 T_ref_cur_true;
   double time_s = 0;
 
   PairError error() const { return pairError(result.T_ref_cur, T_ref_cur_true); }
+
+  /** True where the match is to be trusted and says how far. */
+  bool statesAccuracy() const;
 };
 
 /** The records of one matcher from one kind of guess. */
@@ -53,8 +55,7 @@ PairsSummary summarize(const std::vector<PairRecord>& records);
 Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
                  const std::string& baseline);
 
-/** Every record of every run as CSV: header once, then one row a pair and matcher. Columns of the
- *  standard deviations are empty where there is no covariance. */
+/** Every record of every run as CSV: header once, then one row a pair and matcher. */
 std::string dumpHeader();
 std::string dumpRows(const PairsRun& run);
 }  // namespace psmks

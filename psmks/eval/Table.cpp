@@ -50,6 +50,17 @@ std::vector<std::size_t> widths(const std::vector<std::vector<std::string>>& lin
     for (std::size_t c = 0; c < line.size(); ++c) result[c] = std::max(result[c], line[c].size());
   return result;
 }
+
+std::string csvRow(const std::vector<Table::Cell>& row)
+{
+  std::string text;
+  for (const auto& cell : row)
+  {
+    const auto* word = std::get_if<std::string>(&cell);
+    text += ',' + (word ? *word : csvNumber(std::get<double>(cell)));
+  }
+  return text;
+}
 }  // namespace
 
 std::string toText(const Table& table)
@@ -84,22 +95,14 @@ std::string toMarkdown(const Table& table)
   return out.str();
 }
 
-std::string toCsv(const Table& table)
+std::string toCsv(const std::vector<Table>& tables)
 {
-  std::ostringstream out;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    out << (c == 0 ? "" : ",") << table.columns[c].key;
-  out << '\n';
-  for (const auto& row : table.rows)
-  {
-    for (std::size_t c = 0; c < row.size(); ++c)
-    {
-      const auto* text = std::get_if<std::string>(&row[c]);
-      out << (c == 0 ? "" : ",") << (text ? *text : csvNumber(std::get<double>(row[c])));
-    }
-    out << '\n';
-  }
-  return out.str();
+  std::string text = "table";
+  for (const auto& column : tables.front().columns) text += ',' + column.key;
+  text += '\n';
+  for (const auto& table : tables)
+    for (const auto& row : table.rows) text += table.title + csvRow(row) + '\n';
+  return text;
 }
 
 std::string csvNumber(double value)

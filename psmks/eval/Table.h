@@ -30,8 +30,10 @@ std::string toText(const Table& table);
 
 std::string toMarkdown(const Table& table);
 
-/** Keys as header; numbers with 7 significant digits. */
-std::string toCsv(const Table& table);
+/** Keys as header, then the rows of all tables, each after the title of its table; numbers with 7
+ *  significant digits.
+ *  @param tables at least one, all with the same columns */
+std::string toCsv(const std::vector<Table>& tables);
 
 /** A number with 7 significant digits, "" for NaN. */
 std::string csvNumber(double value);

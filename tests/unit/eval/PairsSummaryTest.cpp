@@ -55,7 +55,7 @@ TEST(PairsSummary, ConsistencyIsThatOfUsableMatches)
 TEST(PairsSummary, AMatcherWithoutCovarianceHasNoConsistency)
 {
   std::vector<PairRecord> records = kFive;
-  for (auto& r : records) r.hasCovariance = false;
+  for (auto& r : records) r.result.covariance = MatchResult::unknownCovariance();
   EXPECT_TRUE(std::isnan(summarize(records).neesMean));
 }
 
@@ -83,12 +83,5 @@ TEST(PairsDump, HasOneRowAPairInTheOrderOfItsHeader)
   const PairsRun run{"psmks", "zero", {record(MatchStatus::Converged, 0.0123456789, 1e-3)}};
   EXPECT_EQ(dumpRows(run),
             "3,psmks,zero,Converged,0.01234568,0,0,0.01,0.01,0.5729578,0.01234568,0,1\n");
-}
-
-TEST(PairsDump, LeavesUnknownSigmasEmpty)
-{
-  PairRecord guess = record(MatchStatus::Converged, 0.5, 0);
-  guess.hasCovariance = false;
-  EXPECT_EQ(dumpRows({"guess", "zero", {guess}}), "3,guess,zero,Converged,0.5,0,0,,,,0.5,0,0\n");
 }
 }  // namespace psmks

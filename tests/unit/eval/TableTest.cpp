@@ -34,6 +34,7 @@ TEST(Table, MarkdownAlignsNumbersToTheRight)
 
 TEST(Table, CsvHasKeysAndSevenDigits)
 {
-  EXPECT_EQ(toCsv(kTable), "matcher,median_mm\na,12.34568\nlong name,\n");
+  EXPECT_EQ(toCsv({kTable}),
+            "table,matcher,median_mm\ntwo matchers,a,12.34568\ntwo matchers,long name,\n");
 }
 }  // namespace psmks
