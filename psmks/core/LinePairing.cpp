@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/LinePairing.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
