@@ -151,7 +151,8 @@ void LineRuns::contestCorners()
       contest(static_cast<int>(right) - 1, static_cast<int>(right));
 }
 
-/** Contested are the rays within reach of the corner; either line keeps a seed beyond them.
+/** Contested are the rays of either line within reach of the corner; either keeps a seed beyond
+ * them.
  *
  *   left  o o o o o|. . . . . .|          all splits are tried: rays up to it to the left line,
  *                  |. . . . . .|o o o o   the others to the right line
@@ -163,17 +164,17 @@ void LineRuns::contest(int leftIndex, int rightIndex)
   const int reach = options_.cornerReach, kept = options_.seedRays;
   const int begin = std::max(left.last + 1 - reach, std::min(left.first + kept, left.last + 1));
   const int end = std::min(right.first + reach, std::max(right.last + 1 - kept, right.first));
+  const auto contested = [&](int p) { return mark(p) == leftIndex || mark(p) == rightIndex; };
 
-  // Lines without the contested rays, then each contested ray added to the right line ...
+  // All contested rays to the right line ...
   LineSums l = left.sums, r = right.sums;
   for (int p = begin; p < end; ++p)
-  {
-    if (mark(p) == leftIndex) remove(l, p);
-    if (mark(p) == rightIndex) remove(r, p);
-  }
-  if (l.rays() < 2 || r.rays() < 2) return;
-  for (int p = begin; p < end; ++p)
-    if (valid(p)) add(r, p);
+    if (mark(p) == leftIndex)
+    {
+      remove(l, p);
+      add(r, p);
+    }
+  if (l.rays() < 2) return;
 
   // ... and handed over to the left line one by one.
   int bestSplit = begin;
@@ -181,7 +182,7 @@ void LineRuns::contest(int leftIndex, int rightIndex)
   LineSums bestLeft = l, bestRight = r;
   for (int p = begin; p < end; ++p)
   {
-    if (!valid(p)) continue;
+    if (!contested(p)) continue;
     add(l, p);
     remove(r, p);
     const double sum = chi2(l) + chi2(r);
@@ -192,11 +193,22 @@ void LineRuns::contest(int leftIndex, int rightIndex)
     bestRight = r;
   }
   for (int p = begin; p < end; ++p)
-    if (valid(p)) mark(p) = p < bestSplit ? leftIndex : rightIndex;
-  left.last = std::max(left.first, bestSplit - 1);
-  right.first = std::min(right.last, bestSplit);
+    if (contested(p)) mark(p) = p < bestSplit ? leftIndex : rightIndex;
   left.sums = bestLeft;
   right.sums = bestRight;
+  settleEnds(left, right, leftIndex, rightIndex, begin, end);
+}
+
+/** After a contest: the ends of both lines are their outermost rays in the contested stretch. */
+void LineRuns::settleEnds(LineRun& left, LineRun& right, int leftIndex, int rightIndex, int begin,
+                          int end)
+{
+  left.last = std::max(left.first, begin - 1);
+  right.first = std::min(right.last, end);
+  for (int p = begin; p < end; ++p)
+    if (mark(p) == leftIndex) left.last = p;
+  for (int p = end - 1; p >= begin; --p)
+    if (mark(p) == rightIndex) right.first = p;
 }
 
 bool LineRuns::collinear(const LineRun& left, const LineRun& right) const

@@ -59,6 +59,7 @@ class LineRuns
   bool seedAt(int position, LineSums& sums) const;
 
   void contest(int left, int right);
+  void settleEnds(LineRun& left, LineRun& right, int leftIndex, int rightIndex, int begin, int end);
   bool collinear(const LineRun& left, const LineRun& right) const;
   void reassign(int firstPosition, int lastPosition, int from, int to);
 
