@@ -34,7 +34,9 @@ class JointMatch
         std::max(buffers.reference.scan->rangeSigma_m, buffers.current.scan->rangeSigma_m);
     tolerance_m_ = surfaceTolerance_m(sigma_m);
     result_.T_ref_cur = guess.T_ref_cur;
-    if (guess.covariance) result_.covariance = *guess.covariance;
+    if (!guess.covariance) return;
+    result_.covariance = *guess.covariance;
+    guessPrior_ = {guess.T_ref_cur, guess.covariance->inverse()};
   }
 
   MatchResult run()
@@ -91,6 +93,16 @@ class JointMatch
       gates.angle_rad /= 2;
     }
     return candidate;
+  }
+
+  /** A pull towards the start of an association so weak that it acts only along what the scans do not
+   *  fix: there the estimate would wander with the noise. */
+  static PriorTerm startPrior(const Pose2& start)
+  {
+    constexpr double kSigma_m = 0.3, kSigma_rad = degToRad(20);
+    const Eigen::Vector3d information(1 / (kSigma_m * kSigma_m), 1 / (kSigma_m * kSigma_m),
+                                      1 / (kSigma_rad * kSigma_rad));
+    return {start, information.asDiagonal()};
   }
 
   bool solve(const JointProblem& problem, Pose2& T_ref_cur)
@@ -203,6 +215,7 @@ class JointMatch
   JointBuffers& buffers_;
   MatchTrace* trace_;
   float tolerance_m_ = 0;
+  PriorTerm guessPrior_;
   Candidate best_;
   int mostAssociations_ = 0;
   MatchResult result_;
