@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/core/Angle.h>
 #include <psmks/core/OptionTable.h>
 
 namespace psmks
@@ -35,7 +36,7 @@ struct SegmentationOptions
   double curvatureGate = 4.5;        //!< standard deviations of the quadratic term
   double minIncidenceCosine = 0.05;  //!< |cos(bearing - phi0)| below it: bearing errors dominate
   double maxOffsetSigma_m = 0.10;    //!< of the line at its middle
-  double maxAngleSigma_rad = 0.2;
+  double maxAngleSigma_rad = degToRad(11.5);
 };
 
 void listFields(OptionTable& table, PreprocessingOptions& options);
