@@ -133,7 +133,14 @@ class PairsReader::Lines
     return value;
   }
 
-  std::string shortLine() const { return line_.substr(0, 40); }
+  /** The beginning of the line, fit for a message whatever the file holds. */
+  std::string shortLine() const
+  {
+    std::string text = line_.substr(0, 40);
+    for (char& c : text)
+      if (c < ' ' || c > '~') c = '?';
+    return text;
+  }
 
   std::string path_;
   gzFile file_;
