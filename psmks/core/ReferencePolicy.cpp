@@ -1,0 +1,64 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/ReferencePolicy.h>
+
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+bool isBeyond(const Pose2& T_ref_cur, double distance_m, double angle_rad)
+{
+  return T_ref_cur.translation().norm() >= distance_m || std::abs(T_ref_cur.phi_rad) >= angle_rad;
+}
+}  // namespace
+
+void listFields(OptionTable& table, ReferenceOptions& o)
+{
+  table.beginSection("reference", "Which scan a new scan is matched against.");
+  table.add(
+      "choice", o.choice, {"sequential", "keyframe"},
+      "sequential: the last scan a trigger apart; keyframe: the same for as long as enough of "
+      "it is seen");
+  table.add("match_every_scan", o.matchEveryScan,
+            "false: scans nearer to the reference than the trigger go by odometry (the paper)");
+  table.add("trigger_distance_m", o.triggerDistance_m, Unit::Metre, 0, 100,
+            "sequential: moved as far since the reference, a scan replaces it");
+  table.add("trigger_angle_deg", o.triggerAngle_rad, Unit::Degree, 0, degToRad(180),
+            "sequential: turned as far since the reference, a scan replaces it");
+  table.add("keyframe_distance_m", o.keyframeDistance_m, Unit::Metre, 0, 100,
+            "keyframe: moved as far, a scan replaces the reference whatever they share");
+  table.add("keyframe_angle_deg", o.keyframeAngle_rad, Unit::Degree, 0, degToRad(180),
+            "keyframe: turned as far, a scan replaces the reference whatever they share");
+  table.add("keyframe_min_rays", o.keyframeMinRays, 0, 100000,
+            "keyframe: fewer associated rays and the scan replaces the reference");
+  table.add("keyframe_min_score", o.keyframeMinScore, Unit::None, 0, 1,
+            "keyframe: a smaller share of rays explained and the scan replaces the reference");
+  table.add("max_failures", o.maxFailures, 1, 1000000,
+            "failed matches in a row after which the reference is given up");
+}
+
+bool ReferencePolicy::isTriggered(const Pose2& T_ref_cur) const
+{
+  return isBeyond(T_ref_cur, options_.triggerDistance_m, options_.triggerAngle_rad);
+}
+
+bool ReferencePolicy::isKeyframeLeft(const MatchResult& match, const Pose2& T_ref_cur) const
+{
+  return isBeyond(T_ref_cur, options_.keyframeDistance_m, options_.keyframeAngle_rad) ||
+         match.associations < options_.keyframeMinRays || match.score < options_.keyframeMinScore;
+}
+
+bool ReferencePolicy::isMatched(const Pose2& T_ref_cur) const
+{
+  return options_.matchEveryScan || isTriggered(T_ref_cur);
+}
+
+bool ReferencePolicy::isReplaced(const MatchResult& match, const Pose2& T_ref_cur,
+                                 int failuresInARow) const
+{
+  if (!match.usable()) return failuresInARow >= options_.maxFailures;
+  return options_.choice == ReferenceChoice::Sequential ? isTriggered(T_ref_cur)
+                                                        : isKeyframeLeft(match, T_ref_cur);
+}
+}  // namespace psmks

@@ -1,0 +1,60 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/Angle.h>
+#include <psmks/core/MatchResult.h>
+#include <psmks/core/OptionTable.h>
+
+namespace psmks
+{
+/** Which scan a new scan is matched against. */
+enum class ReferenceChoice
+{
+  Sequential,  //!< the last matched scan from which the robot had moved or turned far enough
+               //!< (paper)
+  Keyframe     //!< the same scan for as long as enough of it is still seen
+};
+
+struct ReferenceOptions
+{
+  ReferenceChoice choice = ReferenceChoice::Keyframe;
+  bool matchEveryScan = true;              //!< false: only scans a trigger away (paper)
+  double triggerDistance_m = 0.40;         //!< sequential
+  double triggerAngle_rad = degToRad(10);  //!< sequential
+  double keyframeDistance_m = 2.0;
+  double keyframeAngle_rad = degToRad(60);
+  int keyframeMinRays = 60;        //!< associated
+  double keyframeMinScore = 0.80;  //!< MatchResult::score
+  int maxFailures = 5;             //!< in a row, then the reference is given up
+};
+
+void listFields(OptionTable& table, ReferenceOptions& options);
+
+/** Decides when a scan is matched, and when it takes the place of the reference.
+ *
+ * Sequential, with every scan matched (o) or, as in the paper, only those that replace it (x):
+ *
+ *     reference ---o----o----x = new reference ---o---- ...
+ *               <-- trigger ->
+ *
+ * A match that fails replaces nothing: the reference waits for the next scan, until max_failures of
+ * them in a row have failed. */
+class ReferencePolicy
+{
+ public:
+  explicit ReferencePolicy(const ReferenceOptions& options) : options_(options) {}
+
+  /** Whether a scan at this guessed pose, seen from the reference, is matched at all. */
+  bool isMatched(const Pose2& T_ref_cur) const;
+
+  /** Whether a scan becomes the reference after its match.
+   *  @param failuresInARow matches that failed against this reference, this one included */
+  bool isReplaced(const MatchResult& match, const Pose2& T_ref_cur, int failuresInARow) const;
+
+ private:
+  bool isTriggered(const Pose2& T_ref_cur) const;
+  bool isKeyframeLeft(const MatchResult& match, const Pose2& T_ref_cur) const;
+
+  ReferenceOptions options_;
+};
+}  // namespace psmks

@@ -1,0 +1,54 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/Pose2.h>
+
+#include <iosfwd>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+struct StampedPose
+{
+  double stamp_s = 0;
+  Pose2 pose;
+};
+
+/** In the order of their stamps. */
+using Trajectory = std::vector<StampedPose>;
+
+/** A trajectory file that cannot be read; the text names file, line and reason. */
+class TrajectoryFileError : public std::runtime_error
+{
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/** Reads a planar trajectory, one pose a line, in the order of time; '#' and '%' begin comments.
+ *
+ *     stamp x y z qx qy qz qw     TUM: the poses are projected to the plane
+ *     stamp x y phi               MRPT ground truth: radians
+ *
+ *  @throws TrajectoryFileError */
+Trajectory readTrajectory(const std::string& path);
+
+/** Writes TUM: "stamp x y z qx qy qz qw", 9 decimals of the stamp. */
+void writeTum(std::ostream& out, const Trajectory& trajectory);
+
+/** Errors of an estimated trajectory at the stamps of the truth's that it covers. */
+struct TrajectoryError
+{
+  std::size_t poses = 0;  //!< that could be compared; the rest is NaN where there are none
+  double mean_m, rms_m, max_m;
+  double mean_rad, rms_rad, max_rad;
+};
+
+/** Both trajectories are laid over each other at the first pose that they share, as the paper does;
+ * the truth is interpolated to the stamps of the estimate, across gaps of kMaxGap_s at most. */
+TrajectoryError trajectoryError(const Trajectory& estimate, const Trajectory& truth);
+
+/** Poses of the truth further apart in time are not interpolated. */
+constexpr double kMaxGap_s = 2.0;
+}  // namespace psmks
