@@ -2,11 +2,12 @@
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/poses/CPosePDFGaussian.h>
+#include <psmks/core/Preprocessing.h>
+#include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/Convert.h>
 #include <psmks/mrpt/IcpPairMatcher.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace psmks
@@ -17,23 +18,8 @@ using mrpt::poses::CPosePDFGaussian;
 
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-bool isReturn(const Scan& scan, std::size_t ray)
-{
-  const double range_m = scan.range_m[ray];
-  const bool flagged = !scan.valid.empty() && !scan.valid[ray];
-  const bool beyond = scan.maxRange_m > 0 && range_m >= scan.maxRange_m;
-  return !flagged && !beyond && std::isfinite(range_m) && range_m > 0;
-}
-
 /** An observation whose middle bearing is its x axis, as MRPT's are; the mounting turns it back. */
-CObservation2DRangeScan toObservation(const Scan& scan)
+CObservation2DRangeScan toObservation(const SegmentedScan& scan)
 {
   const std::size_t rays = scan.range_m.size();
   const double aperture_rad = scan.grid.increment_rad() * (static_cast<double>(rays) - 1);
@@ -45,15 +31,17 @@ CObservation2DRangeScan toObservation(const Scan& scan)
   for (std::size_t i = 0; i < rays; ++i)
   {
     observation.setScanRange(i, static_cast<float>(scan.range_m[i]));
-    observation.setScanRangeValidity(i, isReturn(scan, i));
+    observation.setScanRangeValidity(i, scan.valid[i] != 0);
   }
   return observation;
 }
 
 CSimplePointsMap toPointsMap(const Scan& scan)
 {
+  SegmentedScan cleaned;
+  cleanScan(scan, PreprocessingOptions(), cleaned);
   CSimplePointsMap map;
-  if (scan.range_m.size() > 1) map.loadFromRangeScan(toObservation(scan));
+  if (cleaned.rays() > 1) map.loadFromRangeScan(toObservation(cleaned));
   return map;
 }
 
@@ -75,14 +63,13 @@ IcpPairMatcher::IcpPairMatcher(std::string name, mrpt::slam::TICPAlgorithm algor
 
 MatchResult IcpPairMatcher::match(const Scan& reference, const Scan& current, const Guess& guess)
 {
-  const auto start = Clock::now();
+  Stopwatch stopwatch;
   const CSimplePointsMap referenceMap = toPointsMap(reference);
   const CSimplePointsMap currentMap = toPointsMap(current);
-  const double maps_s = secondsSince(start);
+  const double maps_s = stopwatch.lap_s();
   if (referenceMap.empty() || currentMap.empty() || !guess.T_ref_cur.isFinite())
     return failed(MatchStatus::InvalidInput, guess);
 
-  const auto alignStart = Clock::now();
   mrpt::slam::CICP::TReturnInfo info;
   const auto pdf =
       icp_.AlignPDF(&referenceMap, &currentMap, CPosePDFGaussian(toMrpt(guess.T_ref_cur)), info);
@@ -103,7 +90,7 @@ MatchResult IcpPairMatcher::match(const Scan& reference, const Scan& current, co
                                    icp_.options.corresponding_points_decimation));
   result.iterations = static_cast<int>(info.nIterations);
   result.times.segmentation_s = maps_s;
-  result.times.refinement_s = secondsSince(alignStart);
+  result.times.refinement_s = stopwatch.lap_s();
   return result;
 }
 }  // namespace psmks

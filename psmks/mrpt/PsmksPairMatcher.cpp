@@ -1,7 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/PsmksPairMatcher.h>
-
-#include <chrono>
 
 namespace psmks
 {
@@ -17,18 +16,17 @@ MatchResult PsmksPairMatcher::match(const Scan& reference, const Scan& current, 
 
 void PsmksPairMatcher::setReference(const Scan& reference)
 {
-  matcher_.segment(reference, reference_);
+  matcher_.segment(reference, workspace_, reference_);
 }
 
 MatchResult PsmksPairMatcher::matchToReference(const Scan& current, const Guess& guess)
 {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  matcher_.segment(current, current_);
-  const std::chrono::duration<double> segmentation = Clock::now() - start;
+  Stopwatch stopwatch;
+  matcher_.segment(current, workspace_, current_);
+  const double segmentation_s = stopwatch.lap_s();
 
   MatchResult result = matcher_.match(reference_, current_, guess, workspace_);
-  result.times.segmentation_s += segmentation.count();
+  result.times.segmentation_s += segmentation_s;
   return result;
 }
 }  // namespace psmks

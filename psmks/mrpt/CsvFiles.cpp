@@ -1,0 +1,59 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Angle.h>
+#include <psmks/mrpt/CsvFiles.h>
+
+#include <iomanip>
+#include <ostream>
+
+namespace psmks
+{
+namespace
+{
+constexpr const char* kMatchesHeader =
+    "stamp_s,reference_stamp_s,status,x_m,y_m,phi_deg,cov_xx_m2,cov_xy_m2,cov_yy_m2,"
+    "cov_xphi_m_deg,cov_yphi_m_deg,cov_phiphi_deg2,associations,iterations,segmentation_ms,"
+    "match_ms\n";
+
+void writeStamp(std::ostream& out, double stamp_s)
+{
+  out << std::fixed << std::setprecision(9) << stamp_s << ',' << std::defaultfloat
+      << std::setprecision(7);
+}
+
+/** Upper triangle by columns, degrees for radians. */
+void writeCovariance(std::ostream& out, const Eigen::Matrix3d& covariance)
+{
+  const Eigen::Vector3d units(1, 1, radToDeg(1));
+  const Eigen::Matrix3d shown = units.asDiagonal() * covariance * units.asDiagonal();
+  for (Eigen::Index column = 0; column < 3; ++column)
+    for (Eigen::Index row = 0; row <= column; ++row) out << shown(row, column) << ',';
+}
+
+void writeMatch(std::ostream& out, const PosedScan& scan, const PosedScan& reference)
+{
+  const auto& [referenceIndex, T_ref_cur, result, time_s] = *scan.match;
+  writeStamp(out, scan.stamp_s());
+  writeStamp(out, reference.stamp_s());
+  out << toString(result.status) << ',' << T_ref_cur.pose.x_m << ',' << T_ref_cur.pose.y_m << ','
+      << radToDeg(T_ref_cur.pose.phi_rad) << ',';
+  writeCovariance(out, T_ref_cur.covariance);
+  out << result.associations << ',' << result.iterations << ',' << 1e3 * result.times.segmentation_s
+      << ',' << 1e3 * time_s << '\n';
+}
+}  // namespace
+
+void writeMatchesCsv(std::ostream& out, const std::vector<PosedScan>& scans)
+{
+  out << kMatchesHeader;
+  for (const auto& scan : scans)
+    if (scan.match) writeMatch(out, scan, scans[scan.match->reference]);
+}
+
+void writeSegmentsCsv(std::ostream& out, const ScanMap& map)
+{
+  out << "x1_m,y1_m,x2_m,y2_m,points,sigma_m\n" << std::setprecision(7);
+  for (const auto& wall : map.walls)
+    out << wall.from_m.x() << ',' << wall.from_m.y() << ',' << wall.to_m.x() << ',' << wall.to_m.y()
+        << ',' << wall.points << ',' << wall.sigma_m << '\n';
+}
+}  // namespace psmks

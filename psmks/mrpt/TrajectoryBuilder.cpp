@@ -1,0 +1,97 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Stopwatch.h>
+#include <psmks/mrpt/TrajectoryBuilder.h>
+
+namespace psmks
+{
+namespace
+{
+/** T_a_c of T_a_b and T_b_c with independent errors. */
+UncertainPose composed(const UncertainPose& T_a_b, const UncertainPose& T_b_c)
+{
+  return toUncertainPose(toMrpt(T_a_b) + toMrpt(T_b_c));
+}
+/** T_b_c of T_a_b and T_a_c. Matches against the same reference share its errors, which drop out of
+ *  their difference: about one match's worth of uncertainty remains. */
+UncertainPose difference(const Pose2& T_a_b, const UncertainPose& T_a_c)
+{
+  const Pose2 T_b_a = T_a_b.inverse();
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = T_b_a.rotation();
+  return {T_b_a * T_a_c.pose, R * T_a_c.covariance * R.transpose()};
+}
+}  // namespace
+
+TrajectoryBuilder::TrajectoryBuilder(std::unique_ptr<PairMatcher> matcher,
+                                     const ReferenceOptions& reference,
+                                     const OdometryOptions& odometry)
+    : matcher_(std::move(matcher)), policy_(reference), odometryOptions_(odometry)
+{
+}
+
+const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
+                                        const std::optional<Pose2>& odometry)
+{
+  PosedScan current;
+  current.scan = std::move(scan);
+  current.T_robot_sensor = T_robot_sensor;
+  const bool isFirst = scans_.empty();
+  if (!isFirst) place(current, odometry);
+  scans_.push_back(std::move(current));
+
+  const auto& match = scans_.back().match;
+  if (isFirst || (match && policy_.isReplaced(match->result, T_ref_last_.pose, failuresInARow_)))
+    makeReference(scans_.size() - 1);
+  return scans_.back();
+}
+
+void TrajectoryBuilder::place(PosedScan& current, const std::optional<Pose2>& odometry)
+{
+  const UncertainPose motion = measuredMotion(odometry);
+  UncertainPose T_ref_cur = composed(T_ref_last_, motion);
+  current.T_last_robot = motion;
+  if (policy_.isMatched(T_ref_cur.pose))
+  {
+    current.match = match(current, T_ref_cur);
+    const bool usable = current.match->result.usable();
+    failuresInARow_ = usable ? 0 : failuresInARow_ + 1;
+    if (usable) current.T_last_robot = difference(T_ref_last_.pose, current.match->T_ref_cur);
+    T_ref_cur = current.match->T_ref_cur;
+  }
+  current.T_world_robot = composed(scans_[reference_].T_world_robot, T_ref_cur);
+  current.T_world_odometry = scans_.back().T_world_odometry * odometry.value_or(Pose2());
+  T_ref_last_ = T_ref_cur;
+}
+
+UncertainPose TrajectoryBuilder::measuredMotion(const std::optional<Pose2>& odometry) const
+{
+  if (odometry) return {*odometry, odometryCovariance(*odometry, odometryOptions_)};
+  return {scans_.back().T_last_robot.pose, unknownMotionCovariance(odometryOptions_)};
+}
+
+ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, const UncertainPose& guess)
+{
+  const Pose2& mountingRef = scans_[reference_].T_robot_sensor;
+  const Pose2& mountingCur = current.T_robot_sensor;
+  const UncertainPose sensorGuess = conjugated(guess, mountingRef.inverse(), mountingCur.inverse());
+
+  ReferenceMatch match;
+  match.reference = reference_;
+  Stopwatch stopwatch;
+  match.result =
+      matcher_->matchToReference(current.scan, {sensorGuess.pose, sensorGuess.covariance});
+  match.time_s = stopwatch.lap_s();
+  match.T_ref_cur =
+      conjugated({match.result.T_ref_cur, match.result.covariance}, mountingRef, mountingCur);
+  return match;
+}
+
+void TrajectoryBuilder::makeReference(std::size_t index)
+{
+  scans_[index].isReference = true;
+  matcher_->setReference(scans_[index].scan);
+  reference_ = index;
+  T_ref_last_ = UncertainPose();
+  failuresInARow_ = 0;
+}
+}  // namespace psmks
