@@ -33,18 +33,20 @@ RayCounts countRays(const RayPoints& points, const PolarSurface& surface,
     // Between the near and the far side of a jump anything may stand: such a ray says nothing.
     const bool on = nearest < tolerance_m, front = high<0, behind = low> 0;
     counts.on += on;
-    counts.front += !on && front;
-    counts.behind += !on && behind;
+    const bool movable = points.movable[i] != 0;
+    counts.front += !on && front && !movable;
+    counts.moved += !on && front && movable;
+    counts.behind += !on && behind && !cell.movable;
+    counts.uncovered += !on && behind && cell.movable;
   }
   return counts;
 }
 
 double freeSpaceScore(const RayCounts& n)
 {
-  constexpr double kBehindWeight = 0.5;
   constexpr double kFullyVisible = 0.4;
-  const double decided = n.on + n.front + kBehindWeight * n.behind;
-  const double seen = n.on + n.front + n.behind;
+  const double decided = n.on + n.front + 0.5 * (n.behind + n.moved) + 0.25 * n.uncovered;
+  const double seen = n.on + n.front + n.behind + n.moved + n.uncovered;
   if (!(decided > 0)) return 0;
   const double visibleShare = seen / (seen + n.unknown);
   return n.on / decided * std::min(1.0, visibleShare / kFullyVisible);

@@ -23,7 +23,7 @@ struct JointOptions
   int refinedHypotheses = 8;              //!< starts that go through Gauss-Newton at most
   double confidentScore = 0.92;           //!< a score from which no further start is tried
   // Refinement
-  double distanceGate_m = 0.30;         //!< between associated lines, first association
+  double distanceGate_m = 0.20;         //!< between associated lines, first association
   double angleGate_rad = degToRad(10);  //!< between associated lines, first association
   double kernelWidth = 4.5;             //!< standard deviations at which a line pair loses weight
   double singleRayWeight = 0.5;         //!< of unsegmented rays

@@ -49,6 +49,8 @@ class JointMatch
   }
 
  private:
+  static constexpr double kHopeless =
+      0.75;  //!< rough score, as a share of the best, not worth a look
   static constexpr double kPromising = 0.5;  //!< rough score from which a guess is refined first
 
   // ---- scores ---------------------------------------------------------------------------------
@@ -75,12 +77,18 @@ class JointMatch
 
   Candidate refine(const Pose2& start)
   {
+    // A start is off by a tenth of the gates or so. Without this slack a line that is known to a
+    // millimetre and a few centimetres away would look as wrong as one on another object.
+    constexpr double kSlack = 0.1;
     JointProblem& problem = buffers_.problem;
     Candidate candidate;
     candidate.T_ref_cur = start;
     PairingGates gates{options_.distanceGate_m, options_.angleGate_rad, options_.singleRayWeight};
     for (int round = 0; round < options_.reassociations; ++round)
     {
+      const bool last = round + 1 == options_.reassociations;
+      gates.slack_m = last ? 0 : kSlack * gates.distance_m;
+      gates.slack_rad = last ? 0 : kSlack * gates.angle_rad;
       problem.clear();
       problem.kernelWidth = options_.kernelWidth;
       if (guess_.covariance)
@@ -95,8 +103,8 @@ class JointMatch
     return candidate;
   }
 
-  /** A pull towards the start of an association so weak that it acts only along what the scans do not
-   *  fix: there the estimate would wander with the noise. */
+  /** A pull towards the start of an association so weak that it acts only along what the scans do
+   * not fix: there the estimate would wander with the noise. */
   static PriorTerm startPrior(const Pose2& start)
   {
     constexpr double kSigma_m = 0.3, kSigma_rad = degToRad(20);
@@ -152,7 +160,10 @@ class JointMatch
     const auto most =
         std::min(hypotheses.size(), static_cast<std::size_t>(options_.refinedHypotheses));
     for (std::size_t i = 0; i < most && best_.score < options_.confidentScore; ++i)
+    {
+      if (hypotheses[i].score < kHopeless * best_.score) break;
       consider(hypotheses[i].T_ref_cur);
+    }
   }
 
   // ---- conclusion -----------------------------------------------------------------------------

@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/FreeStanding.h>
 #include <psmks/core/LinePairing.h>
 
 #include <Eigen/LU>
@@ -156,7 +157,8 @@ class Pairing
       const double cosine = l.normal.dot(R * point_m) / point_m.norm();
       const double along_m = l.along.dot(p_m - l.anchor_m);
       const double variance_m2 = rangeVariance_m2 * cosine * cosine + l.distanceVariance_m2 +
-                                 along_m * along_m * l.angleVariance_rad2;
+                                 along_m * along_m * l.angleVariance_rad2 +
+                                 gates_.slack_m * gates_.slack_m;
       problem_.rays.push_back({current, point_m, l.normal, l.normal.dot(l.anchor_m),
                                gates_.singleRayWeight / variance_m2});
       ++associations_;
@@ -196,8 +198,9 @@ class Pairing
 void MatchView::build(const SegmentedScan& segmented)
 {
   scan = &segmented;
-  surface.build(segmented);
-  points.build(segmented);
+  findFreeStanding(segmented, movable);
+  surface.build(segmented, movable);
+  points.build(segmented, movable);
   lines.clear();
   for (const Segment& segment : segmented.segments) lines.push_back(anchored(segment.line));
   singles.clear();

@@ -25,8 +25,9 @@ struct MatchView
     Eigen::Vector2d anchor_m;
     double distanceVariance_m2, angleVariance_rad2;
   };
-  std::vector<AnchoredLine> lines;  //!< one per segment
-  std::vector<int> singles;         //!< indices into points of the rays without a segment
+  std::vector<AnchoredLine> lines;    //!< one per segment
+  std::vector<std::uint8_t> movable;  //!< one flag per ray, see FreeStanding.h
+  std::vector<int> singles;           //!< indices into points of the rays without a segment
 
   /** Keeps a pointer to the scan. */
   void build(const SegmentedScan& segmented);
@@ -38,6 +39,8 @@ struct PairingGates
   double distance_m;
   double angle_rad;
   double singleRayWeight;
+  double slack_m = 0;    //!< standard deviation added to every distance: what the pose may be off
+  double slack_rad = 0;  //!< the same for angles
 };
 
 /** Associates lines and single rays of two scans at a pose and appends them to a problem.

@@ -7,6 +7,11 @@ namespace psmks
 {
 namespace
 {
+bool flagged(const std::vector<std::uint8_t>& flags, int ray)
+{
+  return !flags.empty() && flags[static_cast<std::size_t>(ray)] != 0;
+}
+
 /** Side 0 or 1 of a cell: the line of the ray's segment, else the tangent of the circle through its
  * end point. */
 void setSide(PolarSurface::Cell& cell, int side, const SegmentedScan& scan, int ray,
@@ -25,7 +30,7 @@ void setSide(PolarSurface::Cell& cell, int side, const SegmentedScan& scan, int 
 }
 }  // namespace
 
-void PolarSurface::build(const SegmentedScan& scan)
+void PolarSurface::build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays)
 {
   const int rays = scan.rays();
   closed_ = scan.grid.closed();
@@ -43,14 +48,15 @@ void PolarSurface::build(const SegmentedScan& scan)
     Cell& cell = storage_[static_cast<std::size_t>(k)];
     const int next = k + 1 == rays ? 0 : k + 1;
     cell.known = scan.isValid(k) && scan.isValid(next);
+    cell.movable = flagged(movableRays, k) && flagged(movableRays, next);
     setSide(cell, 0, scan, k, normals_);
     setSide(cell, 1, scan, next, normals_);
   }
 }
 
-void RayPoints::build(const SegmentedScan& scan)
+void RayPoints::build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays)
 {
-  x_m.clear(), y_m.clear(), segment.clear(), ray.clear();
+  x_m.clear(), y_m.clear(), segment.clear(), ray.clear(), movable.clear();
   for (int i = 0; i < scan.rays(); ++i)
   {
     if (!scan.isValid(i)) continue;
@@ -59,6 +65,7 @@ void RayPoints::build(const SegmentedScan& scan)
     y_m.push_back(static_cast<float>(r * scan.grid.sines()[i]));
     segment.push_back(scan.segmentOfRay[static_cast<std::size_t>(i)]);
     ray.push_back(i);
+    movable.push_back(flagged(movableRays, i));
   }
 }
 }  // namespace psmks

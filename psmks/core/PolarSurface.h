@@ -24,10 +24,12 @@ class PolarSurface
     float nx[2], ny[2], d[2];
     int segment[2];  //!< index, or SegmentedScan::kNoSegment
     bool known;      //!< both rays returned
+    bool movable;    //!< both sides are a free-standing small object
   };
 
-  /** Refers to nothing of the scan afterwards. Allocates only when the number of rays grows. */
-  void build(const SegmentedScan& scan);
+  /** @param movableRays one flag per ray, see findFreeStanding(); empty = none
+   *  Refers to nothing of the scan afterwards. Allocates only when the number of rays grows. */
+  void build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays = {});
 
   int cells() const { return cells_; }
   const Cell& cell(int k) const { return storage_[static_cast<std::size_t>(k)]; }
@@ -61,8 +63,9 @@ struct RayPoints
   std::vector<float> x_m, y_m;
   std::vector<int> segment;  //!< of each, or SegmentedScan::kNoSegment
   std::vector<int> ray;
+  std::vector<std::uint8_t> movable;  //!< of each, see FreeStanding.h
 
-  void build(const SegmentedScan& scan);
+  void build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays = {});
   int size() const { return static_cast<int>(ray.size()); }
 };
 }  // namespace psmks

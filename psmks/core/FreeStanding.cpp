@@ -1,0 +1,47 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/FreeStanding.h>
+
+#include <algorithm>
+
+namespace psmks
+{
+namespace
+{
+constexpr double kJump_m = 0.3;    //!< depth between an object and what stands behind it
+constexpr double kWidest_m = 0.8;  //!< of a movable object
+
+/** Whether the ray beyond an object's end sees clearly farther; no return counts as far. */
+bool dropsBehind(const SegmentedScan& scan, int end, int beyond)
+{
+  if (beyond < 0) return false;  // the end of the field of view tells nothing
+  return !scan.isValid(beyond) || scan.range_m[static_cast<std::size_t>(beyond)] >
+                                      scan.range_m[static_cast<std::size_t>(end)] + kJump_m;
+}
+
+/** Whether two neighbouring rays see one surface. */
+bool joined(const SegmentedScan& scan, int a, int b)
+{
+  return b >= 0 && scan.isValid(b) &&
+         std::abs(scan.range_m[static_cast<std::size_t>(a)] -
+                  scan.range_m[static_cast<std::size_t>(b)]) <= kJump_m;
+}
+}  // namespace
+
+void findFreeStanding(const SegmentedScan& scan, std::vector<std::uint8_t>& movable)
+{
+  movable.assign(static_cast<std::size_t>(scan.rays()), 0);
+  for (int first = 0; first < scan.rays(); ++first)
+  {
+    const int before = scan.grid.neighbour(first, -1);
+    if (!scan.isValid(first) || !dropsBehind(scan, first, before)) continue;
+    int last = first, count = 1;
+    for (int next = scan.grid.neighbour(last, 1); count < scan.rays() && joined(scan, last, next);
+         next = scan.grid.neighbour(last, 1), ++count)
+      last = next;
+    if (!dropsBehind(scan, last, scan.grid.neighbour(last, 1))) continue;
+    if ((scan.point_m(first) - scan.point_m(last)).norm() > kWidest_m) continue;
+    for (int k = 0; k < count; ++k)
+      movable[static_cast<std::size_t>(scan.grid.neighbour(first, k))] = 1;
+  }
+}
+}  // namespace psmks
