@@ -91,8 +91,7 @@ class JointMatch
       gates.slack_rad = last ? 0 : kSlack * gates.angle_rad;
       problem.clear();
       problem.kernelWidth = options_.kernelWidth;
-      if (guess_.covariance)
-        problem.prior = PriorTerm{guess_.T_ref_cur, guess_.covariance->inverse()};
+      problem.prior = guess_.covariance ? guessPrior_ : startPrior(candidate.T_ref_cur);
       candidate.associations =
           pairLines(buffers_.reference, buffers_.current, candidate.T_ref_cur, gates, problem);
       if (candidate.associations < options_.minAssociations) break;
