@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/PairsBenchmark.h>
+#include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/PairMatcher.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 namespace psmks
@@ -36,12 +36,10 @@ class GuessRuns
   {
     for (std::size_t m = 0; m < matchers_.size(); ++m)
     {
-      using Clock = std::chrono::steady_clock;
       PairRecord& record = runs_[m].records[p];
-      const auto start = Clock::now();
+      Stopwatch stopwatch;
       record.result = match(m, pairs[p]);
-      const std::chrono::duration<double> taken = Clock::now() - start;
-      record.time_s = std::min(record.time_s, taken.count());
+      record.time_s = std::min(record.time_s, stopwatch.lap_s());
     }
   }
 

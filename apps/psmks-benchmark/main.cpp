@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/ExitCode.h>
 #include <apps/psmks-benchmark/PairsCommand.h>
+#include <apps/psmks-benchmark/SegmentationCommand.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -9,12 +10,16 @@ int main(int argc, char** argv)
 {
   CLI::App app("Compares scan matchers on the same input.", "psmks-benchmark");
   app.require_subcommand(1);
-  psmks::PairsCommand pairs(*app.add_subcommand("pairs", "matchers on files of scan pairs"));
+  CLI::App* pairsApp = app.add_subcommand("pairs", "matchers on files of scan pairs");
+  CLI::App* segmentationApp =
+      app.add_subcommand("segmentation", "Kalman Segmentation on simulated scans");
+  psmks::PairsCommand pairs(*pairsApp);
+  psmks::SegmentationCommand segmentation(*segmentationApp);
 
   try
   {
     app.parse(argc, argv);
-    return pairs.run();
+    return pairsApp->parsed() ? pairs.run() : segmentation.run();
   }
   catch (const CLI::Success& help)
   {

@@ -40,13 +40,6 @@ std::vector<double> neesValues(const std::vector<PairRecord>& records)
   return values;
 }
 
-double shareBelow(const std::vector<double>& values, double limit)
-{
-  std::vector<double> below;
-  for (const double value : values) below.push_back(value <= limit ? 1 : 0);
-  return mean(below);
-}
-
 double medianTimeOf_s(const std::vector<PairsRun>& runs, const std::string& matcher,
                       const std::string& guess)
 {

@@ -29,4 +29,11 @@ double mean(const std::vector<double>& values)
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
+
+double shareBelow(const std::vector<double>& values, double limit)
+{
+  std::vector<double> below;
+  for (const double value : values) below.push_back(value <= limit ? 1 : 0);
+  return mean(below);
+}
 }  // namespace psmks

@@ -1,0 +1,122 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/sim/RayCasting.h>
+#include <psmks/sim/World.h>
+
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+//   +-----------+ 4        walls 0 to 3: the room, from the lower one counter-clockwise
+//   |     +-+   |          walls 4 to 7: the box, in the same order
+//   |     | |   |
+//   | o   +-+   |          o = (1, 2)
+//   |           |
+//   +-----------+ 0
+//   0     3 4   6
+World roomWithBox()
+{
+  World world;
+  world.addBox({3, 2}, {6, 4});
+  world.addBox({3.5, 2.5}, {1, 1});
+  return world;
+}
+
+const Eigen::Vector2d kOrigin_m(1, 2);
+}  // namespace
+
+TEST(World, ARayMeetsTheNearestWall)
+{
+  const World world = roomWithBox();
+  const World::Hit box = world.cast({1, 2.5}, {1, 0}, 30);
+  EXPECT_DOUBLE_EQ(box.range_m, 2);
+  EXPECT_EQ(box.wall, 7);
+
+  const World::Hit below = world.cast({1, 1.5}, {1, 0}, 30);
+  EXPECT_DOUBLE_EQ(below.range_m, 5);
+  EXPECT_EQ(below.wall, 1);
+}
+
+TEST(World, ARayAtAnAngleMeetsItsWallExactly)
+{
+  const World::Hit hit = roomWithBox().cast(kOrigin_m, Eigen::Vector2d(-1, -1).normalized(), 30);
+  EXPECT_EQ(hit.wall, 3);
+  EXPECT_NEAR(hit.range_m, std::sqrt(2), 1e-12);
+}
+
+TEST(World, AWallBeyondTheMaximumRangeIsNothing)
+{
+  EXPECT_EQ(roomWithBox().cast({1, 1.5}, {1, 0}, 4.99).wall, World::Hit::kNothing);
+}
+
+TEST(World, ALineIsSeenFromTheSensor)
+{
+  // The right wall, 5 m in front of a sensor at the origin that looks up: at its right hand.
+  const Line line = roomWithBox().lineFrom(1, {1, 2, kPi / 2});
+  EXPECT_NEAR(line.r0_m, 5, 1e-12);
+  EXPECT_NEAR(line.phi0_rad, -kPi / 2, 1e-12);
+}
+
+TEST(World, FreeIsInsideTheRoomAndOutsideTheBox)
+{
+  const World world = roomWithBox();
+  EXPECT_TRUE(world.isFree(kOrigin_m));
+  EXPECT_FALSE(world.isFree({3.5, 2.6}));
+  EXPECT_FALSE(world.isFree({7, 2.6}));
+  EXPECT_FALSE(world.isFree({-1, 2.6}));
+}
+
+TEST(World, ClearanceIsTheDistanceToTheNearestWall)
+{
+  EXPECT_DOUBLE_EQ(roomWithBox().clearance_m(kOrigin_m), 1);
+  EXPECT_NEAR(roomWithBox().clearance_m({2.7, 1.6}), 0.5, 1e-12);
+}
+
+TEST(World, RandomPosesKeepTheirClearance)
+{
+  const World world = roomWithBox();
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Pose2 pose = world.randomFreePose(0.4, random);
+    EXPECT_TRUE(world.isFree(pose.translation()));
+    EXPECT_GE(world.clearance_m(pose.translation()), 0.4);
+  }
+}
+
+TEST(World, TheRoomHas32WallsAndTheClutter68)
+{
+  EXPECT_EQ(World::room().walls().size(), 32U);
+  EXPECT_EQ(World::clutter(1).walls().size(), 68U);
+}
+
+TEST(World, ASeedAlwaysGivesTheSameClutter)
+{
+  EXPECT_EQ(World::clutter(3).walls().back().a, World::clutter(3).walls().back().a);
+  EXPECT_NE(World::clutter(3).walls().back().a, World::clutter(4).walls().back().a);
+}
+
+TEST(RayCasting, EveryRayHasItsRangeAndItsWall)
+{
+  std::mt19937_64 random(1);
+  const Scanner threeRays{BeamGrid(-kPi / 2, kPi / 2, 3), 4.5, 0};
+  const SimulatedScan simulated = castScan(roomWithBox(), {1, 1.5, 0}, threeRays, random);
+  EXPECT_EQ(simulated.wallOfRay, (std::vector<int>{0, World::Hit::kNothing, 2}));
+  EXPECT_NEAR(simulated.scan.range_m[0], 1.5, 1e-12);
+  EXPECT_EQ(simulated.scan.range_m[1], 0);
+  EXPECT_NEAR(simulated.scan.range_m[2], 2.5, 1e-12);
+}
+
+TEST(RayCasting, NoiseHasTheScannersSigma)
+{
+  std::mt19937_64 random(1);
+  Scanner scanner;
+  scanner.grid = BeamGrid::centered(0.001, 4001);
+  const SimulatedScan simulated = castScan(roomWithBox(), {1, 2.5, 0}, scanner, random);
+  double squares_m2 = 0;
+  for (const double range_m : simulated.scan.range_m) squares_m2 += (range_m - 2) * (range_m - 2);
+  EXPECT_NEAR(std::sqrt(squares_m2 / 4001), 0.01, 0.0005);
+}
+}  // namespace psmks
