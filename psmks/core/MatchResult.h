@@ -14,10 +14,12 @@ namespace psmks
 enum class MatchStatus
 {
   NotRun,              //!< a default-constructed result: no match was made. Failure.
-  Converged,           //!< the last step fell below the options' step limits. Pose: the estimate.
+  Converged,           //!< the last step fell below the options' step limits, or (paper) a further
+                       //!< alternation would raise the error. Pose: the estimate.
   MaxIterations,       //!< the iterations ran out first. Pose: the best estimate so far; usable.
   TooFewAssociations,  //!< fewer associated rays than `min_associations`. Failure.
-  NoImprovement,       //!< paper: the matching error did not fall below that of the guess;
+  NoImprovement,       //!< paper: the matching error did not fall below that of the guess, or
+                       //!< not to `max_error`;
                        //!< joint: no pose tried reached the acceptance score. Failure.
   Degenerate,          //!< as Converged, but one direction is not observable (a corridor): along it
                //!< the pose is the guess, across it the estimate. Usable with its covariance.

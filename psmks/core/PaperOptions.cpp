@@ -17,6 +17,8 @@ void listFields(OptionTable& table, PaperOptions& o)
             "each one tried");
   table.add("min_associations", o.minAssociations, 1, 100000,
             "fewer associated rays fail the match");
+  table.add("max_error", o.maxError, Unit::None, 0, 1e9,
+            "a larger matching error at the end fails the match (1 or less is a good one); 0: off");
   table.add("coarse_range_deg", o.coarseRange_rad, Unit::Degree, 0, degToRad(180),
             "half width of the coarse orientation search");
   table.add("coarse_step_deg", o.coarseStep_rad, Unit::Degree, degToRad(1e-3), degToRad(45),
@@ -35,5 +37,9 @@ void listFields(OptionTable& table, PaperOptions& o)
             "converged when a translation step is shorter and the rotation step below its limit");
   table.add("stop_rotation_deg", o.stopRotation_rad, Unit::Degree, 0, degToRad(45),
             "see stop_translation_m");
+  table.add("weak_direction_sigma_m", o.weakDirectionSigma_m, Unit::Metre, 1e-4, 10,
+            "a direction in which the segments fix the position worse is not observable");
+  table.add("weak_heading_sigma_deg", o.weakHeadingSigma_rad, Unit::Degree, degToRad(1e-3),
+            degToRad(180), "a heading that the segments fix worse is not observable");
 }
 }  // namespace psmks

@@ -32,17 +32,20 @@ struct PaperOptions
   double radiusGate_m = 0.20;
   double angleGate_rad = degToRad(5);
   double mahalanobisGate = 0;  //!< 0 = off, as in the paper
-  GateOrientation gateOrientation = GateOrientation::Prior;
+  GateOrientation gateOrientation = GateOrientation::Tested;
   int minAssociations = 30;
   double coarseRange_rad = degToRad(20);
   double coarseStep_rad = degToRad(1);
   double fineRange_rad = degToRad(1);
   double fineStep_rad = degToRad(0.1);
+  double maxError = 20;  //!< a larger matching error at the end fails; 0 = off
   TranslationJacobian jacobian = TranslationJacobian::FrozenBearing;
   TranslationSolver translationSolver = TranslationSolver::ClosedForm;
   int maxIterations = 30;
   double stopTranslation_m = 1e-3;
   double stopRotation_rad = degToRad(0.05);
+  double weakDirectionSigma_m = 0.05;  //!< a direction known worse is not observable
+  double weakHeadingSigma_rad = degToRad(1.0);
 };
 
 void listFields(OptionTable& table, PaperOptions& options);

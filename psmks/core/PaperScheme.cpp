@@ -1,0 +1,212 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/FreeSpaceScore.h>
+#include <psmks/core/OrientationSearch.h>
+#include <psmks/core/PaperScheme.h>
+#include <psmks/core/Stopwatch.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+/** A pose and its matching error. */
+struct Estimate
+{
+  Pose2 T_ref_cur;
+  PoseObjective::Value value;
+};
+
+class PaperMatch
+{
+ public:
+  PaperMatch(const Guess& guess, const PaperOptions& options, const ExternalSolvers* external,
+             PaperBuffers& buffers, MatchTrace* trace)
+      : guess_(guess), options_(options), external_(external), buffers_(buffers), trace_(trace)
+  {
+    result_.T_ref_cur = guess.T_ref_cur;
+    if (guess.covariance && guess.covariance->allFinite()) result_.covariance = *guess.covariance;
+  }
+
+  MatchResult run()
+  {
+    Estimate estimate = evaluated(guess_.T_ref_cur);
+    result_.errorBefore = result_.errorAfter = estimate.value.error;
+    result_.associations = estimate.value.associations;
+    result_.status = alternate(estimate);
+    if (result_.usable()) conclude(estimate);
+    return result_;
+  }
+
+ private:
+  Estimate evaluated(const Pose2& T_ref_cur)
+  {
+    return {T_ref_cur, buffers_.objective.evaluate(T_ref_cur, T_ref_cur.phi_rad)};
+  }
+
+  /** Orientation and translation in turn; leaves the estimate at the best pose. */
+  MatchStatus alternate(Estimate& estimate)
+  {
+    while (result_.iterations < options_.maxIterations)
+    {
+      ++result_.iterations;
+      const bool first = result_.iterations == 1;
+      Estimate next = estimate;
+      if (!turn(next)) return first ? MatchStatus::TooFewAssociations : MatchStatus::Converged;
+      shift(next);
+      const bool small = isSmall(estimate.T_ref_cur, next.T_ref_cur);
+      const bool enough = next.value.associations >= options_.minAssociations;
+      const bool improved = enough && next.value.error < estimate.value.error;
+      if (improved) estimate = next;
+      if (small) return MatchStatus::Converged;
+      if (!improved) return first ? MatchStatus::NoImprovement : MatchStatus::Converged;
+    }
+    return MatchStatus::MaxIterations;
+  }
+
+  /** Orientation search. @return false where no orientation associates enough rays */
+  bool turn(Estimate& estimate)
+  {
+    Stopwatch watch;
+    const OrientationMinimum minimum =
+        searchOrientation(buffers_.objective, estimate.T_ref_cur, trace_);
+    estimate.T_ref_cur.phi_rad = minimum.phi_rad;
+    estimate.value = minimum.value;
+    result_.times.search_s += watch.lap_s();
+    note("orientation", estimate);
+    return minimum.found;
+  }
+
+  /** Translation regression. */
+  void shift(Estimate& estimate)
+  {
+    Stopwatch watch;
+    PoseObjective& objective = buffers_.objective;
+    evaluated(estimate.T_ref_cur);
+    buildTranslationProblem(objective.projection(), objective.associations(),
+                            objective.reliability(), options_.jacobian, buffers_.translation);
+    const Eigen::Vector2d step_m = translationStep_m();
+    estimate.T_ref_cur.x_m += step_m.x();
+    estimate.T_ref_cur.y_m += step_m.y();
+    estimate = evaluated(estimate.T_ref_cur);
+    result_.times.refinement_s += watch.lap_s();
+    note("translation", estimate);
+  }
+
+  Eigen::Vector2d translationStep_m() const
+  {
+    const bool byCeres = options_.translationSolver == TranslationSolver::Ceres && external_;
+    if (!byCeres) return solveTranslation(buffers_.translation);
+    Eigen::Vector2d step_m = Eigen::Vector2d::Zero();
+    external_->solveTranslation(buffers_.translation, step_m);
+    return step_m;
+  }
+
+  bool isSmall(const Pose2& from, const Pose2& to) const
+  {
+    const double turned_rad = std::abs(wrapAngle(to.phi_rad - from.phi_rad));
+    return (to.translation() - from.translation()).norm() <= options_.stopTranslation_m &&
+           turned_rad <= options_.stopRotation_rad;
+  }
+
+  void note(const char* stage, const Estimate& e)
+  {
+    if (trace_)
+      trace_->steps.push_back(
+          {stage, e.T_ref_cur, e.value.error, e.value.associations, e.value.refused});
+  }
+
+  // ---- conclusion -----------------------------------------------------------------------------
+
+  /** Accepts the estimate unless its error is too big; covariance and observability. */
+  void conclude(const Estimate& estimate)
+  {
+    Stopwatch watch;
+    const Estimate final = evaluated(estimate.T_ref_cur);
+    if (options_.maxError > 0 && final.value.error > options_.maxError)
+    {
+      result_.status = MatchStatus::NoImprovement;
+      return;
+    }
+    result_.T_ref_cur = estimate.T_ref_cur;
+    result_.errorAfter = final.value.error;
+    result_.associations = final.value.associations;
+    buffers_.covariance.assign(buffers_.objective, estimate.T_ref_cur);
+    settleCovariance(observability(buffers_.covariance.information()));
+    result_.score = freeSpaceScoreAt(result_.T_ref_cur);
+    result_.times.scoring_s += watch.lap_s();
+  }
+
+  void settleCovariance(const Observability& o)
+  {
+    const Eigen::Matrix3d guessed = result_.covariance;
+    result_.headingUnobservable = o.headingSigma_rad > options_.weakHeadingSigma_rad;
+    if (o.weakSigma_m > options_.weakDirectionSigma_m)
+      settleWeakDirection(o.weakDirection, guessed);
+    else
+      result_.covariance = buffers_.covariance.of(Eigen::Matrix3d::Identity());
+    if (!result_.covariance.allFinite()) result_.covariance = guessed;
+  }
+
+  /** Along what the scans do not fix, the guess stands. */
+  void settleWeakDirection(const Eigen::Vector2d& weak, const Eigen::Matrix3d& guessed)
+  {
+    result_.status = MatchStatus::Degenerate;
+    result_.unobservableDirection = weak;
+    const Eigen::Vector2d moved_m =
+        result_.T_ref_cur.translation() - guess_.T_ref_cur.translation();
+    result_.T_ref_cur.x_m -= weak.dot(moved_m) * weak.x();
+    result_.T_ref_cur.y_m -= weak.dot(moved_m) * weak.y();
+
+    Eigen::Matrix<double, 3, 2> known;
+    known << -weak.y(), 0, weak.x(), 0, 0, 1;
+    const Eigen::Vector3d along(weak.x(), weak.y(), 0);
+    result_.covariance =
+        buffers_.covariance.of(known) + along.dot(guessed * along) * along * along.transpose();
+  }
+
+  double freeSpaceScoreAt(const Pose2& T_ref_cur)
+  {
+    const SegmentedScan& reference = buffers_.objective.reference();
+    const SegmentedScan& current = buffers_.objective.current();
+    buffers_.referenceSurface.build(reference);
+    buffers_.currentSurface.build(current);
+    buffers_.referencePoints.build(reference);
+    buffers_.currentPoints.build(current);
+    const float tolerance_m =
+        surfaceTolerance_m(std::max(reference.rangeSigma_m, current.rangeSigma_m));
+    RayCounts counts =
+        countRays(buffers_.currentPoints, buffers_.referenceSurface, T_ref_cur, tolerance_m);
+    counts += countRays(buffers_.referencePoints, buffers_.currentSurface, T_ref_cur.inverse(),
+                        tolerance_m);
+    return freeSpaceScore(counts);
+  }
+
+  const Guess& guess_;
+  const PaperOptions& options_;
+  const ExternalSolvers* external_;
+  PaperBuffers& buffers_;
+  MatchTrace* trace_;
+  MatchResult result_;
+};
+
+MatchResult invalidInput(const Guess& guess)
+{
+  MatchResult result;
+  result.status = MatchStatus::InvalidInput;
+  if (guess.T_ref_cur.isFinite()) result.T_ref_cur = guess.T_ref_cur;
+  return result;
+}
+}  // namespace
+
+MatchResult matchByPaperScheme(const SegmentedScan& reference, const SegmentedScan& current,
+                               const Guess& guess, const PaperOptions& options,
+                               const ExternalSolvers* external, PaperBuffers& buffers,
+                               MatchTrace* trace)
+{
+  if (!guess.T_ref_cur.isFinite()) return invalidInput(guess);
+  buffers.objective.assign(reference, current, options);
+  return PaperMatch(guess, options, external, buffers, trace).run();
+}
+}  // namespace psmks
