@@ -1,0 +1,78 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-slam/CommandLine.h>
+#include <apps/support/ExitCode.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+namespace psmks
+{
+namespace
+{
+constexpr const char* kDescription =
+    "Builds the trajectory of a robot and a map from an MRPT rawlog by 2D laser scan matching.\n"
+    "Every scan gets a pose; where a match fails, odometry carries on.";
+
+constexpr const char* kFooter =
+    "Writes trajectory.tum, odometry.tum, matches.csv, segments.csv, map.png, map.3Dscene,\n"
+    "map.simplemap and summary.json.\n\n"
+    "Exit codes: 0 ok; 1 usage or configuration; 2 input missing or damaged (what was read before\n"
+    "the damage is saved); 3 no usable scan or odometry; 4 every match failed.";
+
+void addFlags(CLI::App& app, CommandLine& c)
+{
+  app.add_option("LOG", c.log, "MRPT rawlog, compressed or not");
+  app.add_option("-c,--config", c.config, "options, see --print-config")->type_name("INI");
+  app.add_option("-m,--matcher", c.matcher, "who estimates the motion between two scans")
+      ->type_name("psmks|psmks-paper|icp-classic|icp-lm|odometry")
+      ->check(CLI::IsMember({"psmks", "psmks-paper", "icp-classic", "icp-lm", "odometry"}))
+      ->capture_default_str();
+  app.add_option("-r,--reference", c.reference, "the scan to match against")
+      ->type_name("sequential|keyframe")
+      ->check(CLI::IsMember({"sequential", "keyframe"}));
+  app.add_option("-s,--sensor", c.sensor, "scanner to use; default: that of the first scan")
+      ->type_name("LABEL");
+  app.add_option("-o,--output", c.output, "folder for the results; default: the log's name + -slam")
+      ->type_name("DIR");
+  app.add_flag("-w,--overwrite", c.overwrite, "replace results that are there");
+  app.add_option("--ground-truth", c.groundTruth,
+                 "true trajectory: TUM, or lines of 'time x y phi'")
+      ->type_name("FILE");
+  app.add_option("--save-rawlog", c.rawlog, "the log with matched motions in place of odometry")
+      ->type_name("FILE");
+  app.add_option("--max-scans", c.maxScans, "stop after so many scans")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--set", c.assignments, "one option, over file and defaults; may be repeated")
+      ->type_name("STAGE.KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_flag("--view", c.view, "show the map in a 3D window");
+  app.add_flag("--print-config", c.printConfig, "print all options in effect as an ini file");
+  app.add_flag("-v,--verbose", c.verbose, "report every match on stderr");
+  app.set_version_flag("--version", "psmks-slam " PSMKS_VERSION);
+}
+}  // namespace
+
+ParsedCommandLine parseCommandLine(int argc, char** argv)
+{
+  CommandLine commandLine;
+  CLI::App app(kDescription, "psmks-slam");
+  app.footer(kFooter);
+  addFlags(app, commandLine);
+  try
+  {
+    app.parse(argc, argv);
+    if (commandLine.log.empty() && !commandLine.printConfig) throw CLI::RequiredError("LOG");
+    return {commandLine, kOk};
+  }
+  catch (const CLI::Success& success)
+  {
+    return {std::nullopt, app.exit(success)};
+  }
+  catch (const CLI::ParseError& error)
+  {
+    std::cerr << "psmks-slam: " << error.what() << " (see psmks-slam --help)\n";
+    return {std::nullopt, kUsage};
+  }
+}
+}  // namespace psmks

@@ -1,0 +1,38 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** What the user typed. */
+struct CommandLine
+{
+  std::string log;
+  std::string config;
+  std::string matcher = "psmks";
+  std::optional<std::string> reference;
+  std::optional<std::string> sensor;
+  std::string output;
+  std::string groundTruth;
+  std::string rawlog;
+  std::vector<std::string> assignments;  //!< "stage.key=value"
+  int maxScans = 0;                      //!< 0: all
+  bool overwrite = false;
+  bool view = false;
+  bool printConfig = false;
+  bool verbose = false;
+};
+
+/** @return the command line, or the exit code where there is nothing to run: --help, --version, or
+ * an error that was told already */
+struct ParsedCommandLine
+{
+  std::optional<CommandLine> commandLine;
+  int exitCode = 0;
+};
+
+ParsedCommandLine parseCommandLine(int argc, char** argv);
+}  // namespace psmks

@@ -1,0 +1,14 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/mrpt/ScanMap.h>
+
+namespace psmks
+{
+/** Whether a window can be opened at all.
+ *  @throws ProgramError where there is no display */
+void requireDisplay();
+
+/** Shows a map in a 3D window until the user closes it. */
+void showMap(const ScanMap& map);
+}  // namespace psmks

@@ -1,0 +1,190 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-slam/MapWindow.h>
+#include <apps/psmks-slam/Slam.h>
+#include <apps/support/Progress.h>
+#include <psmks/core/Preprocessing.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace psmks
+{
+namespace
+{
+/** "folder/My log.rawlog.gz" gives "My log-slam". */
+std::string outputPath(const CommandLine& commandLine)
+{
+  if (!commandLine.output.empty()) return commandLine.output;
+  std::string name = std::filesystem::path(commandLine.log).filename().string();
+  for (const char* extension : {".gz", ".rawlog"})
+  {
+    const std::string ending(extension);
+    if (name.size() > ending.size() &&
+        name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+      name.erase(name.size() - ending.size());
+  }
+  return name + "-slam";
+}
+
+/** Before the output folder is made. */
+const CommandLine& checked(const CommandLine& commandLine)
+{
+  if (commandLine.view) requireDisplay();
+  const std::string& rawlog = commandLine.rawlog;
+  if (!rawlog.empty() && !commandLine.overwrite && std::filesystem::exists(rawlog))
+    throw ProgramError(kUsage, "'" + rawlog + "' exists, add --overwrite or name another");
+  return commandLine;
+}
+
+std::optional<Trajectory> readGroundTruth(const std::string& path)
+{
+  if (path.empty()) return std::nullopt;
+  try
+  {
+    return readTrajectory(path);
+  }
+  catch (const TrajectoryFileError& error)
+  {
+    throw ProgramError(kInputDamaged, std::string("ground truth ") + error.what());
+  }
+}
+
+std::unique_ptr<PairMatcher> makeMatcher(const CommandLine& commandLine, const SlamOptions& options)
+{
+  const bool noMatching = commandLine.matcher == "odometry";
+  return makePairMatcher(noMatching ? "guess" : commandLine.matcher, options.matching.matcher);
+}
+
+bool hasReturns(const PosedScan& posed)
+{
+  SegmentedScan cleaned;
+  cleanScan(posed.scan, PreprocessingOptions(), cleaned);
+  return cleaned.validRays() > 0;
+}
+
+std::string quotedSensors(const RawlogReader& reader)
+{
+  std::string text;
+  for (const auto& [label, scans] : reader.scansOfSensors())
+    text += (text.empty() ? "'" : ", '") + label + "' (" + std::to_string(scans) + " scans)";
+  return text;
+}
+}  // namespace
+
+Slam::Slam(const CommandLine& commandLine, const SlamOptions& options)
+    : commandLine_(checked(commandLine)),
+      options_(options),
+      groundTruth_(readGroundTruth(commandLine.groundTruth)),
+      output_(outputPath(commandLine), commandLine.overwrite),
+      reader_(commandLine.log, commandLine.sensor),
+      builder_(makeMatcher(commandLine, options), options.reference, options.odometry)
+{
+  if (commandLine.rawlog.empty()) return;
+  rawlog_.emplace();
+  if (!rawlog_->open(commandLine.rawlog))
+    throw ProgramError(kUsage, "cannot write '" + commandLine.rawlog + "'");
+}
+
+ExitCode Slam::run()
+{
+  buildTrajectory();
+  requireScans();
+  reportSensors();
+
+  const Summary result = summary();
+  const ScanMap map = makeScanMap(builder_.scans(), options_.matching.matcher);
+  output_.write(builder_.scans(), map, keyframes_, result, options_);
+  printSummary(std::cout, result);
+  std::cout << "map              " << output_.file("map.png") << '\n';
+  if (commandLine_.view) showMap(map);
+  return verdict(result);
+}
+
+void Slam::buildTrajectory()
+{
+  Progress progress("psmks-slam");
+  LaserFrame frame;
+  const auto limit = static_cast<std::size_t>(commandLine_.maxScans);
+  while ((limit == 0 || builder_.scans().size() < limit) && reader_.next(frame))
+  {
+    add(frame);
+    progress.show(reader_.shareRead());
+  }
+}
+
+void Slam::add(const LaserFrame& frame)
+{
+  const SensorMounting mounting = sensorMounting(*frame.scan);
+  Scan scan = converter_.convert(*frame.scan);
+  scan.stamp_s = frame.stamp_s;
+  if (mounting.tilt_rad > options_.matching.maxTilt_rad)
+    std::fill(scan.valid.begin(), scan.valid.end(), std::uint8_t{0});
+
+  const bool isFirst = builder_.scans().empty();
+  if (!isFirst && !frame.odometry) ++scansWithoutOdometry_;
+  const PosedScan& posed = builder_.add(std::move(scan), mounting.T_robot_sensor, frame.odometry);
+  if (posed.isReference) addKeyframe(posed, frame, keyframes_);
+  if (rawlog_) rawlog_->write(posed, frame);
+  if (commandLine_.verbose && posed.match)
+    std::cerr << "scan " << builder_.scans().size() << ": " << posed.match->result.report() << '\n';
+}
+
+void Slam::requireScans() const
+{
+  const auto& scans = builder_.scans();
+  if (scans.empty() && !reader_.damage().empty())
+    throw ProgramError(kInputDamaged, "'" + commandLine_.log + "': " + reader_.damage());
+  if (scans.empty() && commandLine_.sensor && !reader_.scansOfSensors().empty())
+    throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no scan of the sensor '" +
+                                         *commandLine_.sensor + "', but of " +
+                                         quotedSensors(reader_));
+  if (std::none_of(scans.begin(), scans.end(), hasReturns))
+    throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no usable 2D laser scan");
+  const auto withoutOdometry = static_cast<std::size_t>(scansWithoutOdometry_);
+  if (commandLine_.matcher == "odometry" && scans.size() > 1 && withoutOdometry + 1 == scans.size())
+    throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no odometry");
+}
+
+void Slam::reportSensors() const
+{
+  if (commandLine_.sensor || reader_.scansOfSensors().size() < 2) return;
+  std::cerr << "psmks-slam: used the scanner '" << *reader_.sensorLabel() << "' of "
+            << quotedSensors(reader_) << ", --sensor chooses another\n";
+}
+
+LogSummary Slam::logSummary() const
+{
+  LogSummary log;
+  log.path = commandLine_.log;
+  log.sensor = reader_.sensorLabel().value_or("");
+  log.entriesRead = reader_.entriesRead();
+  log.damage = reader_.damage();
+  log.scansWithoutOdometry = scansWithoutOdometry_;
+  log.stampsMadeUp = reader_.stampsMadeUp();
+  return log;
+}
+
+Summary Slam::summary() const
+{
+  Summary result = summarise(builder_.scans());
+  result.log = logSummary();
+  result.matcher = commandLine_.matcher;
+  if (groundTruth_) result.error = trajectoryError(trajectoryOf(builder_.scans()), *groundTruth_);
+  return result;
+}
+
+ExitCode Slam::verdict(const Summary& result) const
+{
+  if (!reader_.damage().empty())
+  {
+    std::cerr << "psmks-slam: '" << commandLine_.log << "': " << reader_.damage() << '\n';
+    return kInputDamaged;
+  }
+  if (result.matches > 0 && result.failures() == result.matches)
+  {
+    std::cerr << "psmks-slam: every match failed, the trajectory is that of the odometry\n";
+    return kEveryMatchFailed;
+  }
+  return kOk;
+}
+}  // namespace psmks

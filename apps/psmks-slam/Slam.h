@@ -1,0 +1,48 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/psmks-slam/CommandLine.h>
+#include <apps/psmks-slam/OutputFolder.h>
+#include <apps/support/ExitCode.h>
+#include <mrpt/maps/CSimpleMap.h>
+#include <psmks/mrpt/MapFiles.h>
+#include <psmks/mrpt/RawlogReader.h>
+#include <psmks/mrpt/TrajectoryBuilder.h>
+
+#include <optional>
+
+namespace psmks
+{
+/** One run of psmks-slam: from a log to the files of its output folder. */
+class Slam
+{
+ public:
+  /** Checks everything that can be checked before the work begins.
+   *  @throws ProgramError, OptionError, TrajectoryFileError */
+  Slam(const CommandLine& commandLine, const SlamOptions& options);
+
+  /** @return the exit code, where it is not ok after one sentence on stderr
+   *  @throws ProgramError */
+  ExitCode run();
+
+ private:
+  void buildTrajectory();
+  void add(const LaserFrame& frame);
+  void reportSensors() const;
+  LogSummary logSummary() const;
+  Summary summary() const;
+  void requireScans() const;
+  ExitCode verdict(const Summary& summary) const;
+
+  CommandLine commandLine_;
+  SlamOptions options_;
+  std::optional<Trajectory> groundTruth_;
+  OutputFolder output_;
+  RawlogReader reader_;
+  TrajectoryBuilder builder_;
+  ScanConverter converter_;
+  mrpt::maps::CSimpleMap keyframes_;
+  std::optional<MatchedRawlog> rawlog_;
+  int scansWithoutOdometry_ = 0;
+};
+}  // namespace psmks

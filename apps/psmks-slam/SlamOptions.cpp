@@ -1,0 +1,81 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-slam/SlamOptions.h>
+#include <mrpt/config/CConfigFile.h>
+#include <psmks/mrpt/ConfigFile.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace psmks
+{
+namespace
+{
+constexpr const char* kMatchingSection = "psmks";
+constexpr const char* kSlamSection = "slam";
+
+OptionTable slamTable(SlamOptions& options)
+{
+  OptionTable table;
+  listFields(table, options.reference);
+  listFields(table, options.odometry);
+  return table;
+}
+
+bool hasSection(const OptionTable& table, const std::string& name)
+{
+  const auto& sections = table.sections();
+  return std::any_of(sections.begin(), sections.end(),
+                     [&](const OptionTable::Section& section) { return section.name == name; });
+}
+
+bool holdsOurSections(const mrpt::config::CConfigFile& file)
+{
+  std::vector<std::string> sections;
+  file.getAllSections(sections);
+  return std::any_of(sections.begin(), sections.end(),
+                     [](const std::string& section)
+                     {
+                       return section.rfind(std::string(kMatchingSection) + ".", 0) == 0 ||
+                              section.rfind(std::string(kSlamSection) + ".", 0) == 0;
+                     });
+}
+}  // namespace
+
+void SlamOptions::load(const std::string& path)
+{
+  if (!std::filesystem::is_regular_file(path))
+    throw OptionError("configuration file '" + path + "': no such file");
+  const mrpt::config::CConfigFile file(path);
+  if (!holdsOurSections(file))
+    throw OptionError("configuration file '" + path +
+                      "': holds neither a section [psmks.<stage>] nor [slam.<stage>]");
+  matching.loadFromConfigFile(file, kMatchingSection);
+  OptionTable slam = slamTable(*this);
+  loadOptions(slam, file, kSlamSection);
+}
+
+void SlamOptions::set(const std::string& assignment)
+{
+  const auto dot = assignment.find('.'), equals = assignment.find('=');
+  if (equals == std::string::npos || dot == std::string::npos || dot > equals)
+    throw OptionError("'" + assignment + "' is not of the form stage.key=value");
+  const std::string section = assignment.substr(0, dot);
+  OptionTable matchingOptions = optionTable(matching), slam = slamTable(*this);
+  OptionTable& table = hasSection(slam, section) ? slam : matchingOptions;
+  table.set(section, assignment.substr(dot + 1, equals - dot - 1), assignment.substr(equals + 1));
+}
+
+std::string SlamOptions::toIni()
+{
+  return optionTable(matching).toIni(std::string(kMatchingSection) + ".") +
+         slamTable(*this).toIni(std::string(kSlamSection) + ".");
+}
+
+std::vector<OptionField> SlamOptions::fields()
+{
+  std::vector<OptionField> all = optionTable(matching).fields();
+  const std::vector<OptionField> slam = slamTable(*this).fields();
+  all.insert(all.end(), slam.begin(), slam.end());
+  return all;
+}
+}  // namespace psmks

@@ -1,0 +1,53 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/psmks-slam/SlamOptions.h>
+#include <psmks/eval/Trajectory.h>
+#include <psmks/mrpt/TrajectoryBuilder.h>
+
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** Where the scans came from. */
+struct LogSummary
+{
+  std::string path;
+  std::string sensor;
+  int entriesRead = 0;
+  std::string damage;            //!< empty for a whole log
+  int scansWithoutOdometry = 0;  //!< but for the first
+  int stampsMadeUp = 0;
+};
+
+/** What a run came to. Values that do not exist (times without a match) are NaN. */
+struct Summary
+{
+  LogSummary log;
+  std::string matcher;
+  std::size_t scans = 0;
+  std::size_t references = 0;
+  std::size_t matches = 0;                            //!< tried
+  std::map<std::string, std::size_t> usable, failed;  //!< matches by status
+  double pathLength_m = 0;
+  double matchMedian_s, matchP95_s;
+  double segmentationMedian_s;
+  std::size_t occupiedCells = 0;
+  std::optional<TrajectoryError> error;  //!< against a ground truth
+
+  std::size_t failures() const;
+};
+
+Summary summarise(const std::vector<PosedScan>& scans);
+
+/** The robot's poses at its scans. */
+Trajectory trajectoryOf(const std::vector<PosedScan>& scans);
+Trajectory odometryOf(const std::vector<PosedScan>& scans);
+
+void printSummary(std::ostream& out, const Summary& summary);
+void writeSummaryJson(std::ostream& out, const Summary& summary, SlamOptions& options);
+}  // namespace psmks

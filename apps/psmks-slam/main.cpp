@@ -1,0 +1,73 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-slam/CommandLine.h>
+#include <apps/psmks-slam/Slam.h>
+#include <apps/support/ExitCode.h>
+
+#include <iostream>
+
+namespace psmks
+{
+namespace
+{
+/** Defaults, then the file, then the flags. */
+SlamOptions effectiveOptions(const CommandLine& commandLine)
+{
+  SlamOptions options;
+  if (commandLine.matcher == "psmks-paper")
+    options.matching.matcher = MatcherOptions::paperScheme();
+  if (!commandLine.config.empty()) options.load(commandLine.config);
+  if (commandLine.reference) options.set("reference.choice=" + *commandLine.reference);
+  for (const auto& assignment : commandLine.assignments) options.set(assignment);
+  return options;
+}
+
+void refuseCarmen(const std::string& log)
+{
+  const std::string name = log.substr(0, log.rfind(".gz"));
+  for (const char* ending : {".log", ".clf"})
+  {
+    const auto at = name.rfind(ending);
+    if (at != std::string::npos && at + 4 == name.size())
+      throw ProgramError(kUsage, "'" + log +
+                                     "' is a CARMEN log by its name, but only MRPT rawlogs "
+                                     "are read");
+  }
+}
+
+ExitCode run(const CommandLine& commandLine)
+{
+  SlamOptions options = effectiveOptions(commandLine);
+  if (commandLine.printConfig)
+  {
+    std::cout << options.toIni();
+    return kOk;
+  }
+  refuseCarmen(commandLine.log);
+  return Slam(commandLine, options).run();
+}
+
+ExitCode complain(ExitCode code, const std::exception& error)
+{
+  std::cerr << "psmks-slam: " << error.what() << '\n';
+  return code;
+}
+}  // namespace
+}  // namespace psmks
+
+int main(int argc, char** argv)
+{
+  const psmks::ParsedCommandLine parsed = psmks::parseCommandLine(argc, argv);
+  if (!parsed.commandLine) return parsed.exitCode;
+  try
+  {
+    return psmks::run(*parsed.commandLine);
+  }
+  catch (const psmks::ProgramError& error)
+  {
+    return psmks::complain(error.exitCode, error);
+  }
+  catch (const std::exception& error)
+  {
+    return psmks::complain(psmks::kUsage, error);
+  }
+}
