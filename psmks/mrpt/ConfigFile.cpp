@@ -1,0 +1,74 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/mrpt/ConfigFile.h>
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+namespace psmks
+{
+using mrpt::config::CConfigFileBase;
+
+namespace
+{
+/** As MRPT compares the names of sections: upper and lower case are the same. */
+bool startsWith(const std::string& text, const std::string& prefix)
+{
+  const auto same = [](unsigned char a, unsigned char b)
+  { return std::tolower(a) == std::tolower(b); };
+  return text.size() >= prefix.size() &&
+         std::equal(prefix.begin(), prefix.end(), text.begin(), same);
+}
+
+/** Values are read as raw text: MRPT's read_double() turns what is no number into 0. */
+void loadStage(OptionTable& table, const CConfigFileBase& file, const std::string& fileSection,
+               const std::string& stage)
+{
+  std::vector<std::string> keys;
+  file.getAllKeys(fileSection, keys);
+  for (const auto& key : keys)
+  {
+    try
+    {
+      table.set(stage, key, file.read_string(fileSection, key, ""));
+    }
+    catch (const OptionError& error)
+    {
+      throw OptionError("[" + fileSection + "] " + error.what());
+    }
+  }
+}
+
+void refuseKeysWithoutStage(const CConfigFileBase& file, const std::string& section)
+{
+  std::vector<std::string> keys;
+  file.getAllKeys(section, keys);
+  if (!keys.empty())
+    throw OptionError("[" + section + "] option '" + keys.front() +
+                      "': options stand in the section "
+                      "of their stage, [" +
+                      section + ".<stage>]");
+}
+}  // namespace
+
+void loadOptions(OptionTable& table, const CConfigFileBase& file, const std::string& section)
+{
+  refuseKeysWithoutStage(file, section);
+
+  const std::string prefix = section + ".";
+  std::vector<std::string> fileSections;
+  file.getAllSections(fileSections);
+  for (const auto& fileSection : fileSections)
+  {
+    if (startsWith(fileSection, prefix))
+      loadStage(table, file, fileSection, fileSection.substr(prefix.size()));
+  }
+}
+
+void saveOptions(const OptionTable& table, CConfigFileBase& file, const std::string& section)
+{
+  // Without MRPT's padding, which makes a key in memory another key than its name.
+  for (const auto& field : table.fields())
+    file.write(section + "." + field.section, field.key, field.get());
+}
+}  // namespace psmks

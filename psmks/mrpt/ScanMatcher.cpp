@@ -1,0 +1,205 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <mrpt/poses/CPose3DPDFGaussian.h>
+#include <psmks/core/Stopwatch.h>
+#include <psmks/mrpt/ScanMatcher.h>
+#ifdef PSMKS_WITH_CERES
+#include <psmks/ceres/CeresSolvers.h>
+#endif
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+IMPLEMENTS_MRPT_OBJECT(ScanMatcher, CObject, psmks)
+
+namespace psmks
+{
+using mrpt::maps::CMetricMap;
+using mrpt::obs::CObservation2DRangeScan;
+using mrpt::poses::CPose3DPDF;
+using mrpt::poses::CPose3DPDFGaussian;
+using mrpt::poses::CPosePDF;
+using mrpt::poses::CPosePDFGaussian;
+using mrpt::slam::CICP;
+using mrpt::slam::TMetricMapAlignmentResult;
+
+namespace
+{
+std::shared_ptr<const ExternalSolvers> externalSolvers()
+{
+#ifdef PSMKS_WITH_CERES
+  static const auto solvers = std::make_shared<const CeresSolvers>();
+  return solvers;
+#else
+  return nullptr;
+#endif
+}
+
+std::optional<Eigen::Matrix3d> priorOf(const Eigen::Matrix3d& covariance)
+{
+  if (!covariance.allFinite() || covariance.llt().info() != Eigen::Success) return std::nullopt;
+  return covariance;
+}
+
+/** Scaled so that the score at which a match is just accepted becomes MRPT's usual threshold. */
+double goodnessOf(const MatchResult& match, double acceptScore)
+{
+  constexpr double kThreshold = 0.4;
+  if (!match.usable()) return 0;
+  const double goodness =
+      match.score < acceptScore
+          ? kThreshold * match.score / acceptScore
+          : kThreshold + (1 - kThreshold) * (match.score - acceptScore) / (1 - acceptScore);
+  return std::clamp(goodness, 0.0, 1.0);
+}
+
+double qualityOf(const MatchResult& match, double goodness)
+{
+  return match.unobservableDirection || match.headingUnobservable ? 0 : goodness;
+}
+
+void hand(const ScanMatcher::ReturnInfo& info,
+          mrpt::optional_ref<TMetricMapAlignmentResult> outInfo)
+{
+  if (!outInfo.has_value()) return;
+  TMetricMapAlignmentResult& out = outInfo.value().get();
+  out.executionTime = info.executionTime;
+  if (auto* icp = dynamic_cast<CICP::TReturnInfo*>(&out)) *icp = info;
+  if (auto* own = dynamic_cast<ScanMatcher::ReturnInfo*>(&out)) *own = info;
+}
+
+void requireMap(const CMetricMap* map, const char* name)
+{
+  if (!map) throw std::invalid_argument(std::string("psmks::ScanMatcher: ") + name + " is null");
+}
+
+/** x, y, yaw from the plane; z, pitch and roll of the guess, at least as uncertain as the
+ * assumption of a plane is. */
+CPose3DPDFGaussian lifted(const CPosePDFGaussian& plane, const CPose3DPDFGaussian& guess)
+{
+  constexpr double kPlaneSigma_m = 0.01, kPlaneSigma_rad = degToRad(1);
+  constexpr int kZ = 2, kYaw = 3, kPitch = 4, kRoll = 5;
+  const Eigen::Vector3d floor(kPlaneSigma_m * kPlaneSigma_m, kPlaneSigma_rad * kPlaneSigma_rad,
+                              kPlaneSigma_rad * kPlaneSigma_rad);
+  CPose3DPDFGaussian pose;
+  pose.mean.setFromValues(plane.mean.x(), plane.mean.y(), guess.mean.z(), plane.mean.phi(),
+                          guess.mean.pitch(), guess.mean.roll());
+  const int estimated[] = {0, 1, kYaw}, kept[] = {kZ, kPitch, kRoll};
+  pose.cov.setZero();
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j) pose.cov(estimated[i], estimated[j]) = plane.cov(i, j);
+    pose.cov(kept[i], kept[i]) = std::max(guess.cov(kept[i], kept[i]), floor[i]);
+  }
+  return pose;
+}
+
+CPosePDFGaussian flattened(const CPose3DPDFGaussian& guess)
+{
+  constexpr int kYaw = 3;
+  const int plane[] = {0, 1, kYaw};
+  CPosePDFGaussian pose({guess.mean.x(), guess.mean.y(), guess.mean.yaw()});
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) pose.cov(i, j) = guess.cov(plane[i], plane[j]);
+  return pose;
+}
+}  // namespace
+
+ScanMatcher::ScanMatcher() { setLoggerName("psmks::ScanMatcher"); }
+
+UncertainPose ScanMatcher::solve(const Problem& problem, const UncertainPose& T_m1_m2,
+                                 ReturnInfo& info)
+{
+  const UncertainPose T_ref_cur =
+      conjugated(T_m1_m2, problem.T_m1_reference.inverse(), problem.T_m2_current.inverse());
+  const Matcher matcher(options.matcher, externalSolvers());
+  info.match = matcher.match(problem.reference, problem.current,
+                             {T_ref_cur.pose, priorOf(T_ref_cur.covariance)}, buffers_.workspace);
+  info.nIterations = static_cast<unsigned>(info.match.iterations);
+  info.goodness = goodnessOf(info.match, options.matcher.joint.acceptScore);
+  info.quality = qualityOf(info.match, info.goodness);
+  report(info.match);
+  return conjugated({info.match.T_ref_cur, info.match.covariance}, problem.T_m1_reference,
+                    problem.T_m2_current);
+}
+
+const Scan& ScanMatcher::planarScan(const CObservation2DRangeScan& observation,
+                                    ScanConverter& converter, Scan& scan) const
+{
+  const double tilt_rad = sensorMounting(observation).tilt_rad;
+  if (tilt_rad <= options.maxTilt_rad)
+  {
+    converter.convert(observation, scan);
+    return scan;
+  }
+  MRPT_LOG_WARN_STREAM("scan of sensor '" << observation.sensorLabel << "' is tilted by "
+                                          << radToDeg(tilt_rad) << " deg, max_tilt_deg is "
+                                          << radToDeg(options.maxTilt_rad));
+  return scan = Scan();
+}
+
+CPosePDFGaussian::Ptr ScanMatcher::align(const CObservation2DRangeScan& reference,
+                                         const CObservation2DRangeScan& current,
+                                         const CPosePDFGaussian& initial, ReturnInfo* info)
+{
+  Stopwatch watch;
+  ReturnInfo found;
+  const Problem problem{planarScan(reference, buffers_.referenceConverter, buffers_.reference),
+                        planarScan(current, buffers_.currentConverter, buffers_.current),
+                        sensorMounting(reference).T_robot_sensor,
+                        sensorMounting(current).T_robot_sensor};
+  const UncertainPose T_m1_m2 = solve(problem, toUncertainPose(initial), found);
+  found.executionTime = watch.lap_s();
+  if (info) *info = found;
+  return CPosePDFGaussian::Create(toMrpt(T_m1_m2));
+}
+
+CPosePDF::Ptr ScanMatcher::AlignPDF(const CMetricMap* m1, const CMetricMap* m2,
+                                    const CPosePDFGaussian& initialEstimationPDF,
+                                    mrpt::optional_ref<TMetricMapAlignmentResult> outInfo)
+{
+  requireMap(m1, "m1");
+  requireMap(m2, "m2");
+  Stopwatch watch;
+  ReturnInfo found;
+  const UncertainPose guess = toUncertainPose(initialEstimationPDF);
+  const ViewOptions& view = options.view;
+  const BeamGrid grid = BeamGrid::centered(view.fieldOfView_rad, view.rays);
+  const Pose2 T_m1_sensor = guess.pose * view.T_map_sensor;
+  const Scan reference = polarView(*m1, T_m1_sensor, grid, view.maxGap_m);
+  const Scan current = polarView(*m2, view.T_map_sensor, grid, view.maxGap_m);
+  const UncertainPose T_m1_m2 =
+      solve({reference, current, T_m1_sensor, view.T_map_sensor}, guess, found);
+  found.executionTime = watch.lap_s();
+  hand(found, outInfo);
+  return CPosePDFGaussian::Create(toMrpt(T_m1_m2));
+}
+
+CPose3DPDF::Ptr ScanMatcher::Align3DPDF(const CMetricMap* m1, const CMetricMap* m2,
+                                        const CPose3DPDFGaussian& initialEstimationPDF,
+                                        mrpt::optional_ref<TMetricMapAlignmentResult> outInfo)
+{
+  const auto& guess = initialEstimationPDF.mean;
+  const double tilt_rad = std::max(std::abs(guess.pitch()), std::abs(guess.roll()));
+  if (!(tilt_rad <= options.maxTilt_rad))
+    throw std::invalid_argument(
+        "psmks::ScanMatcher: only poses in the plane can be matched, but pitch or roll of the "
+        "guess "
+        "is " +
+        std::to_string(radToDeg(tilt_rad)) + " deg, max_tilt_deg is " +
+        std::to_string(radToDeg(options.maxTilt_rad)));
+
+  const auto plane = AlignPDF(m1, m2, flattened(initialEstimationPDF), outInfo);
+  return CPose3DPDFGaussian::Create(
+      lifted(dynamic_cast<const CPosePDFGaussian&>(*plane), initialEstimationPDF));
+}
+
+void ScanMatcher::report(const MatchResult& match) const
+{
+  if (match.usable())
+    MRPT_LOG_DEBUG_STREAM(match.report());
+  else
+    MRPT_LOG_WARN_STREAM("the guess is kept: " << match.report());
+}
+}  // namespace psmks

@@ -1,0 +1,41 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/mrpt/ConfigFile.h>
+#include <psmks/mrpt/ScanMatcherOptions.h>
+
+#include <ostream>
+
+namespace psmks
+{
+using mrpt::config::CConfigFileBase;
+
+OptionTable optionTable(ScanMatcherOptions& options)
+{
+  OptionTable table = optionTable(options.matcher);
+  listFields(table, options.view);
+  table.beginSection("mounting", "How a scanner may sit on its robot.");
+  table.add("max_tilt_deg", options.maxTilt_rad, Unit::Degree, 0, degToRad(45),
+            "scans tilted further out of the horizontal plane are not matched");
+  return table;
+}
+
+void ScanMatcherOptions::loadFromConfigFile(const CConfigFileBase& source,
+                                            const std::string& section)
+{
+  ScanMatcherOptions loaded = *this;
+  OptionTable table = optionTable(loaded);
+  loadOptions(table, source, section);
+  *this = loaded;
+}
+
+void ScanMatcherOptions::saveToConfigFile(CConfigFileBase& target, const std::string& section) const
+{
+  ScanMatcherOptions copy = *this;
+  saveOptions(optionTable(copy), target, section);
+}
+
+void ScanMatcherOptions::dumpToTextStream(std::ostream& out) const
+{
+  ScanMatcherOptions copy = *this;
+  out << optionTable(copy).toIni("psmks.");
+}
+}  // namespace psmks
