@@ -3,30 +3,6 @@
 
 namespace psmks
 {
-bool LinearLineFilter::start(const LineSums& seed)
-{
-  sums_ = seed;
-  return sums_.solve(solution_);
-}
-
-RangePrediction LinearLineFilter::predict(double cosine, double sine) const
-{
-  const double inverse = solution_.inverseRange(cosine, sine);
-  if (!(inverse > 0)) return {};
-  const double range_m = 1 / inverse;
-  const double r2 = range_m * range_m;
-  // var(r) = r^4 var(1/r)
-  const double variance =
-      variance_m2_ * (1 + r2 * r2 * solution_.inverseRangeVariance(cosine, sine));
-  return {range_m, variance};
-}
-
-void LinearLineFilter::update(double cosine, double sine, double range_m)
-{
-  sums_.add(cosine, sine, range_m);
-  sums_.solve(solution_);
-}
-
 bool PolarLineFilter::start(const LineSums& seed)
 {
   LineSums::Solution s{};
@@ -44,28 +20,30 @@ bool PolarLineFilter::start(const LineSums& seed)
   return true;
 }
 
-PolarLineFilter::Linearisation PolarLineFilter::linearise(double cosine, double sine) const
+PolarLineFilter::Linearisation PolarLineFilter::linearise(const MeasuredRay& ray) const
 {
   const double c0 = std::cos(phi0_rad_), s0 = std::sin(phi0_rad_);
-  const double c = cosine * c0 + sine * s0;  // cos(b - phi0)
-  const double s = sine * c0 - cosine * s0;  // sin(b - phi0)
+  const double c = ray.cosine * c0 + ray.sine * s0;  // cos(b - phi0)
+  const double s = ray.sine * c0 - ray.cosine * s0;  // sin(b - phi0)
   const double inverse = c > 0 ? 1 / c : 0;
   return {r0_m_ * inverse, {inverse, -r0_m_ * s * inverse * inverse}};
 }
 
-RangePrediction PolarLineFilter::predict(double cosine, double sine) const
+bool PolarLineFilter::accepts(const MeasuredRay& ray, double gate) const
 {
-  const Linearisation l = linearise(cosine, sine);
-  return {l.range_m, variance_m2_ + (l.H * P_ * l.H.transpose())(0)};
+  const Linearisation l = linearise(ray);
+  const double variance_m2 = variance_m2_ + (l.H * P_ * l.H.transpose())(0);
+  const double innovation_m = ray.range_m - l.range_m;
+  return l.range_m > 0 && innovation_m * innovation_m < gate * gate * variance_m2;
 }
 
-void PolarLineFilter::update(double cosine, double sine, double range_m)
+void PolarLineFilter::update(const MeasuredRay& ray)
 {
-  const Linearisation l = linearise(cosine, sine);
+  const Linearisation l = linearise(ray);
   const Eigen::Vector2d PHt = P_ * l.H.transpose();
   const double S = variance_m2_ + (l.H * PHt)(0);
   const Eigen::Vector2d K = PHt / S;
-  const double innovation_m = range_m - l.range_m;
+  const double innovation_m = ray.range_m - l.range_m;
   r0_m_ += K(0) * innovation_m;
   phi0_rad_ += K(1) * innovation_m;
   // Joseph form: stays symmetric and positive

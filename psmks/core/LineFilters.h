@@ -5,13 +5,6 @@
 
 namespace psmks
 {
-/** What a line filter expects of the next ray. */
-struct RangePrediction
-{
-  double range_m = 0;      //!< <= 0 where the ray does not meet the line
-  double variance_m2 = 0;  //!< of measured minus predicted range
-};
-
 /** Kalman filter over consecutive rays, exactly linear: the state u = n / r0 measured by 1/r
  *  (LineSums). No start guess, no linearisation.
  *
@@ -23,9 +16,32 @@ class LinearLineFilter
   explicit LinearLineFilter(double sigma_m) : variance_m2_(sigma_m * sigma_m) {}
 
   /** Starts from the sums of a few rays; false where they fix no line. */
-  bool start(const LineSums& seed);
-  RangePrediction predict(double cosine, double sine) const;
-  void update(double cosine, double sine, double range_m);
+  bool start(const LineSums& seed)
+  {
+    sums_ = seed;
+    return sums_.solve(solution_);
+  }
+
+  /** Whether the ray's innovation is within `gate` standard deviations. */
+  bool accepts(const MeasuredRay& ray, double gate) const
+  {
+    const double expected = solution_.inverseRange(ray.cosine, ray.sine);
+    const double expected2 = expected * expected;
+    // var(1/r) = sigma^2 / r^4 of the ray, plus what the line itself is uncertain by
+    const double variance = variance_m2_ * (expected2 * expected2 +
+                                            solution_.inverseRangeVariance(ray.cosine, ray.sine));
+    const double innovation = ray.inverseRange_1_m - expected;
+    return expected > 0 && innovation * innovation < gate * gate * variance;
+  }
+
+  void update(const MeasuredRay& ray)
+  {
+    sums_.add(ray);
+    // A line of many rays hardly changes by one more: it is solved anew at every fourth. The gate
+    // stays right, for the variance is that of the older, slightly less certain line.
+    constexpr int kManyRays = 12;
+    if (sums_.rays() < kManyRays || sums_.rays() % 4 == 0) sums_.solve(solution_);
+  }
 
  private:
   double variance_m2_;
@@ -40,8 +56,8 @@ class PolarLineFilter
   explicit PolarLineFilter(double sigma_m) : variance_m2_(sigma_m * sigma_m) {}
 
   bool start(const LineSums& seed);
-  RangePrediction predict(double cosine, double sine) const;
-  void update(double cosine, double sine, double range_m);
+  bool accepts(const MeasuredRay& ray, double gate) const;
+  void update(const MeasuredRay& ray);
 
   /** The state with its covariance. */
   Line line() const;
@@ -49,10 +65,10 @@ class PolarLineFilter
  private:
   struct Linearisation
   {
-    double range_m;
-    Eigen::RowVector2d H;
+    double range_m;        //!< expected; 0 where the ray does not meet the line
+    Eigen::RowVector2d H;  //!< d range / d (r0, phi0)
   };
-  Linearisation linearise(double cosine, double sine) const;
+  Linearisation linearise(const MeasuredRay& ray) const;
 
   double variance_m2_;
   double r0_m_ = 0, phi0_rad_ = 0;

@@ -16,6 +16,7 @@ struct NormalSums
 {
   double aa = 0, ab = 0, bb = 0, ae = 0, be = 0, ee = 0;
   double ag = 0, bg = 0, gg = 0, ge = 0;
+  double lag = 0;  // sum of e of neighbouring rays of the line
   int rays = 0;
 };
 
@@ -25,6 +26,7 @@ NormalSums accumulate(const SegmentedScan& scan, const RayRange& range, const Li
   const double* cosines = scan.grid.cosines();
   const double* sines = scan.grid.sines();
   NormalSums sum;
+  double previous = 0;
   for (int k = 0, ray = range.first; k < range.count; ++k, ++ray)
   {
     if (ray == scan.rays()) ray = 0;
@@ -38,6 +40,8 @@ NormalSums accumulate(const SegmentedScan& scan, const RayRange& range, const Li
     sum.aa += a * a, sum.ab += a * b, sum.bb += b * b, sum.ae += a * e, sum.be += b * e;
     sum.ee += e * e;
     sum.ag += a * g, sum.bg += b * g, sum.gg += g * g, sum.ge += g * e;
+    sum.lag += e * previous;
+    previous = e;
     ++sum.rays;
   }
   return sum;
@@ -46,38 +50,30 @@ NormalSums accumulate(const SegmentedScan& scan, const RayRange& range, const Li
 
 LineFit fitLine(const SegmentedScan& scan, const RayRange& range, const Line& start, double sigma_m)
 {
-  // The linear filter's line is off by less than its own sigma: one step finishes it, the second
-  // pass gives the statistics at the result and takes the rest of the way.
-  constexpr int kSteps = 2;
   const double variance_m2 = sigma_m * sigma_m;
+  const NormalSums n = accumulate(scan, range, start);
+  const double determinant = n.aa * n.bb - n.ab * n.ab;
   LineFit fit;
-  double r0_m = start.r0_m, phi0_rad = start.phi0_rad;
-  for (int step = 0; step < kSteps; ++step)
+  fit.rays = n.rays;
+  if (!(determinant > 0)) return fit;
+
+  const double dr0 = (n.bb * n.ae - n.ab * n.be) / determinant;
+  const double dphi0 = (n.aa * n.be - n.ab * n.ae) / determinant;
+  Eigen::Matrix2d inverse;
+  inverse << n.bb, -n.ab, -n.ab, n.aa;
+  fit.line = Line::fromNormalForm(start.r0_m + dr0, start.phi0_rad + dphi0,
+                                  inverse * (variance_m2 / determinant));
+  fit.chi2 = std::max(0.0, n.ee - n.ae * dr0 - n.be * dphi0) / variance_m2;
+  fit.whiteness = n.lag / (variance_m2 * std::sqrt(n.rays));
+
+  // Schur complement of the quadratic term on (r0, phi0)
+  const double ga = (n.bb * n.ag - n.ab * n.bg) / determinant;
+  const double gb = (n.aa * n.bg - n.ab * n.ag) / determinant;
+  const double information = n.gg - ga * n.ag - gb * n.bg;
+  if (information > 0)
   {
-    const NormalSums n = accumulate(scan, range, {r0_m, phi0_rad, {}});
-    const double determinant = n.aa * n.bb - n.ab * n.ab;
-    fit.rays = n.rays;
-    if (!(determinant > 0)) return fit;
-
-    const double dr0 = (n.bb * n.ae - n.ab * n.be) / determinant;
-    const double dphi0 = (n.aa * n.be - n.ab * n.ae) / determinant;
-    r0_m += dr0;
-    phi0_rad += dphi0;
-    fit.chi2 = std::max(0.0, n.ee - n.ae * dr0 - n.be * dphi0) / variance_m2;
-
-    Eigen::Matrix2d inverse;
-    inverse << n.bb, -n.ab, -n.ab, n.aa;
-    fit.line = Line::fromNormalForm(r0_m, phi0_rad, inverse * (variance_m2 / determinant));
-
-    // Schur complement of the quadratic term on (r0, phi0)
-    const double ga = (n.bb * n.ag - n.ab * n.bg) / determinant;
-    const double gb = (n.aa * n.bg - n.ab * n.ag) / determinant;
-    const double information = n.gg - ga * n.ag - gb * n.bg;
-    if (information > 0)
-    {
-      fit.curvature_1_m = (n.ge - ga * n.ae - gb * n.be) / information;
-      fit.curvatureSigma_1_m = sigma_m / std::sqrt(information);
-    }
+    fit.curvature_1_m = (n.ge - ga * n.ae - gb * n.be) / information;
+    fit.curvatureSigma_1_m = sigma_m / std::sqrt(information);
   }
   return fit;
 }

@@ -14,6 +14,9 @@ struct LineFit
   double curvature_1_m =
       0;  //!< coefficient of the squared distance along the line, bulging outwards
   double curvatureSigma_1_m = 0;
+  double whiteness =
+      0;  //!< correlation of neighbouring residuals, in its standard deviations: about
+          //!< N(0, 1) on a straight line, large where two lines were taken for one
 };
 
 /** Rays `first`, `first + 1`, ..., `count` of them (wrapping on a closed grid); those whose
@@ -25,7 +28,8 @@ struct RayRange
   int mark;
 };
 
-/** Weighted nonlinear least squares of (r0, phi0) over the rays of a range, by Gauss-Newton steps
- * from `start`, and the test for curvature (a quadratic term along the line, fitted with it). */
+/** Least squares of (r0, phi0) over the rays of a range: one Gauss-Newton step from `start`, which
+ * the linear filter's line is close enough for (it is off by less than its own sigma), and the
+ * tests for curvature (a quadratic term along the line, fitted with it) and whiteness. */
 LineFit fitLine(const SegmentedScan& scan, const RayRange& rays, const Line& start, double sigma_m);
 }  // namespace psmks

@@ -21,13 +21,14 @@ constexpr int kLongestGap = 3;
 constexpr int kOutlierMemory = 2;
 }  // namespace
 
-LineRuns::LineRuns(const SegmentationOptions& options, SegmentedScan& scan,
-                   std::vector<LineRun>& runs)
+LineRuns::LineRuns(const SegmentationOptions& options, const std::vector<double>& inverseRange_1_m,
+                   SegmentedScan& scan, std::vector<LineRun>& runs)
     : options_(options),
+      inverseRange_1_m_(inverseRange_1_m),
       scan_(scan),
       runs_(runs),
       rays_(scan.rays()),
-      start_(scan.grid.closed() ? strongestBreak(scan) : 0),
+      start_(scan.grid.closed() ? strongestBreak(scan, inverseRange_1_m) : 0),
       variance_m2_(scan.rangeSigma_m * scan.rangeSigma_m)
 {
   runs_.clear();
@@ -75,21 +76,11 @@ bool LineRuns::seedAt(int position, LineSums& sums) const
   for (int p = position; p < position + options_.seedRays; ++p)
   {
     if (!valid(p)) return false;
-    add(sums, p);
+    sums.add(measured(p));
   }
   // About the 0.998 quantile of chi2 for the one to four degrees of freedom of a seed.
   const double gate = options_.innovationGate;
   return chi2(sums) < gate * gate + options_.seedRays - 3;
-}
-
-template <class Filter>
-bool LineRuns::continues(const Filter& filter, int position) const
-{
-  const RangePrediction expected = filter.predict(cosine(position), sine(position));
-  if (!(expected.range_m > 0)) return false;
-  const double innovation_m = range_m(position) - expected.range_m;
-  const double gate = options_.innovationGate;
-  return innovation_m * innovation_m < gate * gate * expected.variance_m2;
 }
 
 /** Grows a line from position `from` by steps of +1 or -1 up to and including `limit`. An isolated
@@ -110,10 +101,10 @@ int LineRuns::growSide(Filter& filter, LineRun& run, int index, int from, int st
       continue;
     }
     hole = 0;
-    if (continues(filter, p))
+    if (const MeasuredRay ray = measured(p); filter.accepts(ray, options_.innovationGate))
     {
-      filter.update(cosine(p), sine(p), range_m(p));
-      add(run.sums, p);
+      filter.update(ray);
+      run.sums.add(ray);
       mark(p) = index;
       last = p;
       ++sinceOutlier;
@@ -171,8 +162,8 @@ void LineRuns::contest(int leftIndex, int rightIndex)
   for (int p = begin; p < end; ++p)
     if (mark(p) == leftIndex)
     {
-      remove(l, p);
-      add(r, p);
+      l.remove(measured(p));
+      r.add(measured(p));
     }
   if (l.rays() < 2) return;
 
@@ -183,8 +174,8 @@ void LineRuns::contest(int leftIndex, int rightIndex)
   for (int p = begin; p < end; ++p)
   {
     if (!contested(p)) continue;
-    add(l, p);
-    remove(r, p);
+    l.add(measured(p));
+    r.remove(measured(p));
     const double sum = chi2(l) + chi2(r);
     if (sum >= best) continue;
     best = sum;
@@ -217,6 +208,27 @@ bool LineRuns::collinear(const LineRun& left, const LineRun& right) const
   LineSums joint = left.sums;
   joint += right.sums;
   return chi2(joint) - chi2(left.sums) - chi2(right.sums) < options_.mergeChi2;
+}
+
+bool LineRuns::cut(const LineRun& run, int runMark, LineRun& left, LineRun& right) const
+{
+  LineSums l, r = run.sums;
+  double best = chi2(run.sums) - options_.mergeChi2 - 2 * std::log(std::max(1, run.sums.rays()));
+  bool found = false;
+  for (int p = run.first; p < run.last && r.rays() > options_.seedRays; ++p)
+  {
+    if (mark(p) != runMark) continue;
+    l.add(measured(p));
+    r.remove(measured(p));
+    if (l.rays() < options_.seedRays) continue;
+    const double sum = chi2(l) + chi2(r);
+    if (sum >= best) continue;
+    best = sum;
+    found = true;
+    left = {run.first, p, l};
+    right = {p + 1, run.last, r};
+  }
+  return found;
 }
 
 void LineRuns::mergeCollinear()

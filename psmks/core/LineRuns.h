@@ -26,8 +26,10 @@ class LineRuns
 {
  public:
   /** @param scan cleaned, with its range sigma settled and no ray marked
+   *  @param inverseRange_1_m 1/r of the valid rays
    *  @param runs storage; what it held is replaced */
-  LineRuns(const SegmentationOptions& options, SegmentedScan& scan, std::vector<LineRun>& runs);
+  LineRuns(const SegmentationOptions& options, const std::vector<double>& inverseRange_1_m,
+           SegmentedScan& scan, std::vector<LineRun>& runs);
 
   /** Lines grown from seeds by the filter the options choose (paper, section 2: Kalman
    *  Segmentation). */
@@ -42,6 +44,12 @@ class LineRuns
 
   const std::vector<LineRun>& runs() const { return runs_; }
 
+  /** Cuts a run in two where that lowers chi2 by more than chance does over all cuts: what looked
+   * like one line ray by ray may be two that are a few millimetres apart. False where it is one
+   * line.
+   *  @param mark of the run's rays; both parts keep it */
+  bool cut(const LineRun& run, int mark, LineRun& left, LineRun& right) const;
+
   /** Ray index of a position. */
   int ray(int position) const
   {
@@ -54,8 +62,6 @@ class LineRuns
   void growAll(const Filter& fresh);
   template <class Filter>
   int growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit);
-  template <class Filter>
-  bool continues(const Filter& filter, int position) const;
   bool seedAt(int position, LineSums& sums) const;
 
   void contest(int left, int right);
@@ -66,14 +72,16 @@ class LineRuns
   std::size_t at(int position) const { return static_cast<std::size_t>(ray(position)); }
   bool valid(int position) const { return scan_.valid[at(position)] != 0; }
   int& mark(int position) { return scan_.segmentOfRay[at(position)]; }
-  double cosine(int position) const { return scan_.grid.cosines()[at(position)]; }
-  double sine(int position) const { return scan_.grid.sines()[at(position)]; }
-  double range_m(int position) const { return scan_.range_m[at(position)]; }
-  void add(LineSums& sums, int p) const { sums.add(cosine(p), sine(p), range_m(p)); }
-  void remove(LineSums& sums, int p) const { sums.remove(cosine(p), sine(p), range_m(p)); }
+  int mark(int position) const { return scan_.segmentOfRay[at(position)]; }
+  MeasuredRay measured(int position) const
+  {
+    const std::size_t i = at(position);
+    return {scan_.grid.cosines()[i], scan_.grid.sines()[i], scan_.range_m[i], inverseRange_1_m_[i]};
+  }
   double chi2(const LineSums& sums) const;
 
   const SegmentationOptions& options_;
+  const std::vector<double>& inverseRange_1_m_;
   SegmentedScan& scan_;
   std::vector<LineRun>& runs_;
   int rays_;

@@ -8,6 +8,14 @@
 
 namespace psmks
 {
+/** A ray as the line filters see it. */
+struct MeasuredRay
+{
+  double cosine, sine;  //!< of its bearing
+  double range_m;
+  double inverseRange_1_m;
+};
+
 /** The linear line filter in information form.
  *
  * With u = n / r0 a ray of direction e = (cos b, sin b) that meets the line has 1/r = u.e, exactly
@@ -22,8 +30,8 @@ namespace psmks
 class LineSums
 {
  public:
-  void add(double cosine, double sine, double range_m) { accumulate(cosine, sine, range_m, 1); }
-  void remove(double cosine, double sine, double range_m) { accumulate(cosine, sine, range_m, -1); }
+  void add(const MeasuredRay& ray) { accumulate(ray, 1); }
+  void remove(const MeasuredRay& ray) { accumulate(ray, -1); }
 
   LineSums& operator+=(const LineSums& other)
   {
@@ -74,13 +82,13 @@ class LineSums
   }
 
  private:
-  void accumulate(double cosine, double sine, double range_m, int sign)
+  void accumulate(const MeasuredRay& ray, int sign)
   {
-    const double r2 = range_m * range_m;
-    const double w = sign * r2 * r2;
-    const double wc = w * cosine, ws = w * sine, invR = 1 / range_m;
-    m00_ += wc * cosine, m01_ += wc * sine, m11_ += ws * sine;
-    v0_ += wc * invR, v1_ += ws * invR;
+    const double r2 = ray.range_m * ray.range_m;
+    const double w = sign * r2 * r2, wOverR = sign * r2 * ray.range_m;
+    const double wc = w * ray.cosine, ws = w * ray.sine;
+    m00_ += wc * ray.cosine, m01_ += wc * ray.sine, m11_ += ws * ray.sine;
+    v0_ += wOverR * ray.cosine, v1_ += wOverR * ray.sine;
     q_ += sign * r2;
     rays_ += sign;
   }

@@ -12,16 +12,23 @@ namespace psmks
 {
 namespace
 {
+void invertRanges(const SegmentedScan& scan, std::vector<double>& inverseRange_1_m)
+{
+  inverseRange_1_m.resize(scan.range_m.size());
+  for (std::size_t i = 0; i < inverseRange_1_m.size(); ++i)
+    inverseRange_1_m[i] = scan.valid[i] ? 1 / scan.range_m[i] : 0;
+}
+
 /** The sigma that is used: the scan's or the option's, raised to what the scan itself shows where
  * that is clearly more. */
 double settledSigma_m(const Scan& scan, const SegmentationOptions& options,
-                      const SegmentedScan& cleaned, std::vector<double>& scratch)
+                      const SegmentedScan& cleaned, SegmentationBuffers& buffers)
 {
   constexpr double kClearlyMore = 1.6;
   constexpr double kLargest_m = 0.08;  // beyond, it is clutter and not noise
   const double stated_m = scan.rangeSigma_m > 0 ? scan.rangeSigma_m : options.rangeSigma_m;
   if (!options.estimateRangeSigma) return stated_m;
-  const double shown_m = estimateRangeSigma_m(cleaned, scratch);
+  const double shown_m = estimateRangeSigma_m(cleaned, buffers.inverseRange_1_m, buffers.scratch);
   return shown_m > kClearlyMore * stated_m ? std::min(shown_m, std::max(stated_m, kLargest_m))
                                            : stated_m;
 }
@@ -42,13 +49,14 @@ LineFit fitRun(const SegmentedScan& scan, const RayRange& rays, const LineSums& 
   {
     const auto i = static_cast<std::size_t>(ray);
     if (scan.segmentOfRay[i] != rays.mark) continue;
-    const double cosine = scan.grid.cosines()[i], sine = scan.grid.sines()[i];
+    const MeasuredRay measured{scan.grid.cosines()[i], scan.grid.sines()[i], scan.range_m[i],
+                               1 / scan.range_m[i]};
     if (started)
     {
-      filter.update(cosine, sine, scan.range_m[i]);
+      filter.update(measured);
       continue;
     }
-    seed.add(cosine, sine, scan.range_m[i]);
+    seed.add(measured);
     started = seed.rays() >= options.seedRays && filter.start(seed);
   }
   if (started) fit.line = filter.line();
@@ -111,25 +119,55 @@ Segment makeSegment(const LineFit& fit, int firstRay, int lastRay, const Segment
   return segment;
 }
 
-/** Marks go from runs to segments; rays of dropped runs become single points. */
-void finish(const LineRuns& lines, const SegmentationOptions& options, SegmentedScan& scan)
+/** Turns runs into segments. */
+class Finish
 {
-  int index = 0;
-  for (const LineRun& run : lines.runs())
+ public:
+  Finish(const LineRuns& lines, const SegmentationOptions& options, SegmentedScan& scan)
+      : lines_(lines), options_(options), scan_(scan)
   {
-    const RayRange rays{lines.ray(run.first), run.last - run.first + 1, index++};
-    const LineFit fit = fitRun(scan, rays, run.sums, options);
-    const Segment segment = makeSegment(fit, rays.first, lines.ray(run.last), scan);
-    const bool kept = isSegment(fit, segment, scan, options);
-    const int mark = kept ? static_cast<int>(scan.segments.size()) : SegmentedScan::kNoSegment;
+  }
+
+  void run()
+  {
+    int mark = 0;
+    for (const LineRun& run : lines_.runs()) finish(run, mark++);
+  }
+
+ private:
+  /** @param mark of the run's rays: the index of the run it came from */
+  void finish(const LineRun& run, int mark)
+  {
+    constexpr double kNotWhite = 2.5;
+    const RayRange rays{lines_.ray(run.first), run.last - run.first + 1, mark};
+    const LineFit fit = fitRun(scan_, rays, run.sums, options_);
+    LineRun left, right;
+    if (fit.whiteness > kNotWhite && lines_.cut(run, mark, left, right))
+    {
+      finish(left, mark);
+      finish(right, mark);
+      return;
+    }
+    const Segment segment = makeSegment(fit, rays.first, lines_.ray(run.last), scan_);
+    const bool kept = isSegment(fit, segment, scan_, options_);
+    remark(run, mark, kept ? static_cast<int>(scan_.segments.size()) : SegmentedScan::kNoSegment);
+    if (kept) scan_.segments.push_back(segment);
+  }
+
+  /** Marks go from runs to segments; rays of dropped runs become single points. */
+  void remark(const LineRun& run, int from, int to)
+  {
     for (int p = run.first; p <= run.last; ++p)
     {
-      int& m = scan.segmentOfRay[static_cast<std::size_t>(lines.ray(p))];
-      if (m == rays.mark) m = mark;
+      int& mark = scan_.segmentOfRay[static_cast<std::size_t>(lines_.ray(p))];
+      if (mark == from) mark = to;
     }
-    if (kept) scan.segments.push_back(segment);
   }
-}
+
+  const LineRuns& lines_;
+  const SegmentationOptions& options_;
+  SegmentedScan& scan_;
+};
 }  // namespace
 
 void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
@@ -138,12 +176,13 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
 {
   cleanScan(scan, preprocessing, result);
   medianFilter(preprocessing.medianWindow, buffers.scratch, result);
-  result.rangeSigma_m = settledSigma_m(scan, options, result, buffers.scratch);
+  invertRanges(result, buffers.inverseRange_1_m);
+  result.rangeSigma_m = settledSigma_m(scan, options, result, buffers);
 
-  LineRuns lines(options, result, buffers.runs);
+  LineRuns lines(options, buffers.inverseRange_1_m, result, buffers.runs);
   lines.grow();
   lines.contestCorners();
   lines.mergeCollinear();
-  finish(lines, options, result);
+  Finish(lines, options, result).run();
 }
 }  // namespace psmks

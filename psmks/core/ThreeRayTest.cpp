@@ -3,56 +3,69 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace psmks
 {
-double threeRayTest_m(const SegmentedScan& scan, int ray)
+namespace
 {
-  constexpr double kMissing = std::numeric_limits<double>::infinity();
-  const int before = scan.grid.neighbour(ray, -1);
-  const int after = scan.grid.neighbour(ray, 1);
-  if (before < 0 || after < 0) return kMissing;
-  if (!scan.isValid(before) || !scan.isValid(ray) || !scan.isValid(after)) return kMissing;
+class ThreeRays
+{
+ public:
+  explicit ThreeRays(const BeamGrid& grid) : twoCosine_(2 * std::cos(grid.increment_rad())) {}
 
-  const double twoCosine = 2 * std::cos(scan.grid.increment_rad());
-  const double a = 1 / scan.range_m[static_cast<std::size_t>(before)];
-  const double b = 1 / scan.range_m[static_cast<std::size_t>(ray)];
-  const double c = 1 / scan.range_m[static_cast<std::size_t>(after)];
-  // sd(1/r) = sigma / r^2 for each ray
-  const double unitSigma =
-      std::sqrt(a * a * a * a + twoCosine * twoCosine * b * b * b * b + c * c * c * c);
-  return (a - twoCosine * b + c) / unitSigma;
+  /** @param a, b, c inverse ranges of a ray and its neighbours */
+  double squared_m2(double a, double b, double c) const
+  {
+    // var(1/r) = sigma^2 / r^4 for each ray
+    const double a2 = a * a, b2 = b * b, c2 = c * c;
+    const double variance = a2 * a2 + twoCosine_ * twoCosine_ * b2 * b2 + c2 * c2;
+    const double sum = a - twoCosine_ * b + c;
+    return sum * sum / variance;
+  }
+
+ private:
+  double twoCosine_;
+};
+}  // namespace
+
+void threeRayTests(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
+                   std::vector<double>& tests_m2)
+{
+  const ThreeRays test(scan.grid);
+  tests_m2.clear();
+  for (std::size_t i = 1; i + 1 < inverseRange_1_m.size(); ++i)
+    if (scan.valid[i - 1] && scan.valid[i] && scan.valid[i + 1])
+      tests_m2.push_back(
+          test.squared_m2(inverseRange_1_m[i - 1], inverseRange_1_m[i], inverseRange_1_m[i + 1]));
 }
 
-double estimateRangeSigma_m(const SegmentedScan& scan, std::vector<double>& scratch)
+double estimateRangeSigma_m(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
+                            std::vector<double>& scratch)
 {
   constexpr int kFewestTests = 20;
   constexpr double kMedianOfAbsoluteNormal = 0.6745;
-  scratch.clear();
-  for (int i = 0; i < scan.rays(); ++i)
-  {
-    const double test_m = threeRayTest_m(scan, i);
-    if (std::isfinite(test_m)) scratch.push_back(std::abs(test_m));
-  }
+  threeRayTests(scan, inverseRange_1_m, scratch);
   if (scratch.size() < kFewestTests) return 0;
   const auto middle = scratch.begin() + static_cast<std::ptrdiff_t>(scratch.size() / 2);
   std::nth_element(scratch.begin(), middle, scratch.end());
-  return *middle / kMedianOfAbsoluteNormal;
+  return std::sqrt(*middle) / kMedianOfAbsoluteNormal;
 }
 
-int strongestBreak(const SegmentedScan& scan)
+int strongestBreak(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m)
 {
+  const ThreeRays test(scan.grid);
   int strongest = 0;
-  double largest_m = -1;
+  double largest_m2 = -1;
   for (int i = 0; i < scan.rays(); ++i)
   {
-    const double test_m = std::abs(threeRayTest_m(scan, i));
-    if (test_m > largest_m)
-    {
-      largest_m = test_m;
-      strongest = i;
-    }
+    const int before = scan.grid.neighbour(i, -1), after = scan.grid.neighbour(i, 1);
+    if (!scan.isValid(i) || !scan.isValid(after)) continue;
+    if (!scan.isValid(before)) return i;
+    const auto inverse = [&](int ray) { return inverseRange_1_m[static_cast<std::size_t>(ray)]; };
+    const double test_m2 = test.squared_m2(inverse(before), inverse(i), inverse(after));
+    if (test_m2 <= largest_m2) continue;
+    largest_m2 = test_m2;
+    strongest = i;
   }
   return strongest;
 }

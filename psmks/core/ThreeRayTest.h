@@ -14,16 +14,20 @@ namespace psmks
  * exactly, whatever the line (docs/algorithm.md). Divided by its standard deviation for a range
  * sigma of 1 m, the left side measures noise on straight walls and grows at corners and jumps. */
 
-/** Value of the test at ray i in metres of range noise; infinity where i or a neighbour is missing.
- */
-double threeRayTest_m(const SegmentedScan& scan, int ray);
+/** Values of the test, squared, in m^2 of range noise, of every ray that is valid with both
+ * neighbours.
+ *  @param inverseRange_1_m 1/r of the valid rays
+ *  @param[out] tests_m2 in the order of the rays, the others left out */
+void threeRayTests(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
+                   std::vector<double>& tests_m2);
 
-/** Robust standard deviation of a range as the scan itself shows it (median absolute value of the
- *  three-ray test); 0 where fewer than 20 rays can be tested. Corners and clutter hardly move it
- * while they make up less than half of the scan. */
-double estimateRangeSigma_m(const SegmentedScan& scan, std::vector<double>& scratch);
+/** Robust standard deviation of a range as the scan itself shows it (median of the three-ray
+ * tests); 0 where fewer than 20 rays can be tested. Corners and clutter hardly move it while they
+ * make up less than half of the scan. */
+double estimateRangeSigma_m(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
+                            std::vector<double>& scratch);
 
-/** Ray of the strongest break of a closed scan: an invalid ray, else the largest three-ray test.
- * Lines are grown from there, so that the seam of the grid is no edge. */
-int strongestBreak(const SegmentedScan& scan);
+/** Ray of a closed scan where no line can pass: one after an invalid ray, else the one with the
+ * largest test. Lines are grown from there, so that the seam of the grid is no edge. */
+int strongestBreak(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m);
 }  // namespace psmks
