@@ -1,11 +1,12 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/Stopwatch.h>
+#include <psmks/mrpt/BuiltSolvers.h>
 #include <psmks/mrpt/PsmksPairMatcher.h>
 
 namespace psmks
 {
 PsmksPairMatcher::PsmksPairMatcher(std::string name, MatcherOptions options)
-    : name_(std::move(name)), matcher_(std::move(options))
+    : name_(std::move(name)), matcher_(std::move(options), builtSolvers())
 {
 }
 

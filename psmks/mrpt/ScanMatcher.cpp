@@ -1,10 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <psmks/core/Stopwatch.h>
+#include <psmks/mrpt/BuiltSolvers.h>
 #include <psmks/mrpt/ScanMatcher.h>
-#ifdef PSMKS_WITH_CERES
-#include <psmks/ceres/CeresSolvers.h>
-#endif
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -26,16 +24,6 @@ using mrpt::slam::TMetricMapAlignmentResult;
 
 namespace
 {
-std::shared_ptr<const ExternalSolvers> externalSolvers()
-{
-#ifdef PSMKS_WITH_CERES
-  static const auto solvers = std::make_shared<const CeresSolvers>();
-  return solvers;
-#else
-  return nullptr;
-#endif
-}
-
 std::optional<Eigen::Matrix3d> priorOf(const Eigen::Matrix3d& covariance)
 {
   if (!covariance.allFinite() || covariance.llt().info() != Eigen::Success) return std::nullopt;
@@ -113,7 +101,7 @@ UncertainPose ScanMatcher::solve(const Problem& problem, const UncertainPose& T_
 {
   const UncertainPose T_ref_cur =
       conjugated(T_m1_m2, problem.T_m1_reference.inverse(), problem.T_m2_current.inverse());
-  const Matcher matcher(options.matcher, externalSolvers());
+  const Matcher matcher(options.matcher, builtSolvers());
   info.match = matcher.match(problem.reference, problem.current,
                              {T_ref_cur.pose, priorOf(T_ref_cur.covariance)}, buffers_.workspace);
   info.nIterations = static_cast<unsigned>(info.match.iterations);

@@ -329,6 +329,22 @@ TEST(ScanMatcher, obeysItsOptions)
   EXPECT_EQ(info.match.status, MatchStatus::NoImprovement);
 }
 
+TEST(ScanMatcher, takesCeresWhereItIsBuilt)
+{
+  ScanMatcher own, ceres;
+  ceres.options.matcher.joint.solver = JointSolver::Ceres;
+  const auto expected = own.align(stockScan(0), stockScan(1), withoutPrior(kStockGuess));
+  CPosePDFGaussian::Ptr pose;
+  const std::string refusal = thrownText<OptionError>(
+      [&] { pose = ceres.align(stockScan(0), stockScan(1), withoutPrior(kStockGuess)); });
+  if (!pose)
+  {
+    EXPECT_TRUE(says(refusal, {"solver", "ceres"}));
+    GTEST_SKIP() << "built without Ceres";
+  }
+  EXPECT_TRUE(isNearly(toPose2(pose->mean), toPose2(expected->mean), 1e-4, degToRad(1e-3)));
+}
+
 TEST(ScanMatcher, isCopiedWithItsOptions)
 {
   ScanMatcher matcher;
