@@ -6,38 +6,95 @@
 
 namespace psmks
 {
+namespace
+{
+/** Some points seen from the surface's scanner; loops over fixed arrays, which compilers vectorise.
+ */
+class PointBlock
+{
+ public:
+  static constexpr std::size_t kCapacity = 64;
+
+  /** Takes every `stride`-th point from `first` on, as many as fit.
+   *  @return index of the first point not taken */
+  std::size_t load(const RayPoints& points, std::size_t first, std::size_t stride)
+  {
+    size_ = 0;
+    for (; first < points.size() && size_ < kCapacity; first += stride, ++size_)
+    {
+      x_[size_] = points.x_m[first];
+      y_[size_] = points.y_m[first];
+      movable_[size_] = points.movable[first];
+    }
+    std::fill(x_ + size_, x_ + kCapacity, 1.0f);
+    std::fill(y_ + size_, y_ + kCapacity, 0.0f);
+    return first;
+  }
+
+  void move(const Pose2& T)
+  {
+    const auto c = static_cast<float>(std::cos(T.phi_rad)),
+               s = static_cast<float>(std::sin(T.phi_rad));
+    const auto tx = static_cast<float>(T.x_m), ty = static_cast<float>(T.y_m);
+    for (std::size_t i = 0; i < kCapacity; ++i)
+    {
+      const float x = c * x_[i] - s * y_[i] + tx, y = s * x_[i] + c * y_[i] + ty;
+      x_[i] = x;
+      y_[i] = y;
+    }
+  }
+
+  void find(const PolarSurface& surface)
+  {
+    for (std::size_t i = 0; i < kCapacity; ++i) cell_[i] = surface.cellOf(x_[i], y_[i]);
+  }
+
+  void count(const PolarSurface& surface, float tolerance_m, RayCounts& counts) const
+  {
+    for (std::size_t i = 0; i < size_; ++i)
+    {
+      if (cell_[i] < 0 || !surface.cell(cell_[i]).known)
+        ++counts.unknown;
+      else
+        countKnown(surface.cell(cell_[i]), i, tolerance_m, counts);
+    }
+  }
+
+ private:
+  void countKnown(const PolarSurface::Cell& cell, std::size_t i, float tolerance_m,
+                  RayCounts& counts) const
+  {
+    const float a = cell.nx[0] * x_[i] + cell.ny[0] * y_[i] - cell.d[0];
+    const float b = cell.nx[1] * x_[i] + cell.ny[1] * y_[i] - cell.d[1];
+    const bool on = std::min(std::fabs(a), std::fabs(b)) < tolerance_m;
+    // Between the near and the far side of a jump anything may stand: such a ray says nothing.
+    const bool front = !on && std::max(a, b) < 0, behind = !on && std::min(a, b) > 0;
+    const bool movable = movable_[i] != 0;
+    counts.on += on;
+    counts.front += front && !movable;
+    counts.moved += front && movable;
+    counts.behind += behind && !cell.movable;
+    counts.uncovered += behind && cell.movable;
+  }
+
+  float x_[kCapacity], y_[kCapacity];
+  int cell_[kCapacity];
+  std::uint8_t movable_[kCapacity];
+  std::size_t size_ = 0;
+};
+}  // namespace
+
 RayCounts countRays(const RayPoints& points, const PolarSurface& surface,
                     const Pose2& T_surface_points, float tolerance_m, int stride)
 {
-  const auto c = static_cast<float>(std::cos(T_surface_points.phi_rad));
-  const auto s = static_cast<float>(std::sin(T_surface_points.phi_rad));
-  const auto tx = static_cast<float>(T_surface_points.x_m);
-  const auto ty = static_cast<float>(T_surface_points.y_m);
   RayCounts counts;
-  const auto n = static_cast<std::size_t>(points.size());
-  for (std::size_t i = 0; i < n; i += static_cast<std::size_t>(stride))
+  PointBlock block;
+  for (std::size_t next = 0; next < points.size();)
   {
-    const float x = c * points.x_m[i] - s * points.y_m[i] + tx;
-    const float y = s * points.x_m[i] + c * points.y_m[i] + ty;
-    const int k = surface.cellOf(x, y);
-    if (k < 0 || !surface.cell(k).known)
-    {
-      ++counts.unknown;
-      continue;
-    }
-    const PolarSurface::Cell& cell = surface.cell(k);
-    const float a = cell.nx[0] * x + cell.ny[0] * y - cell.d[0];
-    const float b = cell.nx[1] * x + cell.ny[1] * y - cell.d[1];
-    const float nearest = std::min(std::fabs(a), std::fabs(b));
-    const float low = std::min(a, b), high = std::max(a, b);
-    // Between the near and the far side of a jump anything may stand: such a ray says nothing.
-    const bool on = nearest < tolerance_m, front = high<0, behind = low> 0;
-    counts.on += on;
-    const bool movable = points.movable[i] != 0;
-    counts.front += !on && front && !movable;
-    counts.moved += !on && front && movable;
-    counts.behind += !on && behind && !cell.movable;
-    counts.uncovered += !on && behind && cell.movable;
+    next = block.load(points, next, static_cast<std::size_t>(stride));
+    block.move(T_surface_points);
+    block.find(surface);
+    block.count(surface, tolerance_m, counts);
   }
   return counts;
 }

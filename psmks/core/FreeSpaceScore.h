@@ -3,6 +3,7 @@
 
 #include <psmks/core/PolarSurface.h>
 #include <psmks/core/Pose2.h>
+#include <psmks/core/RayPoints.h>
 
 namespace psmks
 {

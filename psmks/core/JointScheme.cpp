@@ -41,9 +41,9 @@ class JointMatch
 
   MatchResult run()
   {
-    result_.errorBefore = 1 - fullScore(guess_.T_ref_cur);
-    result_.errorAfter = result_.errorBefore;
-    if (roughScore(guess_.T_ref_cur) >= kPromising) consider(guess_.T_ref_cur);
+    const double guessScore = roughScore(guess_.T_ref_cur);
+    result_.errorBefore = result_.errorAfter = 1 - guessScore;
+    if (guessScore >= kPromising) consider(guess_.T_ref_cur);
     if (best_.score < options_.confidentScore) searchFurther();
     return conclude();
   }

@@ -147,14 +147,13 @@ class Pairing
     const double rangeVariance_m2 = from.scan->rangeSigma_m * from.scan->rangeSigma_m;
     for (const int single : from.singles)
     {
-      const auto i = static_cast<std::size_t>(single);
-      const Eigen::Vector2d point_m(from.points.x_m[i], from.points.y_m[i]);
+      const Eigen::Vector2d point_m = from.scan->point_m(single);
       const Eigen::Vector2d p_m = R * point_m + t;
       const int line = nearestLine(to, p_m);
       if (line < 0) continue;
       const MatchView::AnchoredLine& l = to.lines[static_cast<std::size_t>(line)];
       // The error of a range moves the point along its ray; only the part across the line counts.
-      const double cosine = l.normal.dot(R * point_m) / point_m.norm();
+      const double cosine = l.normal.dot(R * from.scan->grid.direction(single));
       const double along_m = l.along.dot(p_m - l.anchor_m);
       const double variance_m2 = rangeVariance_m2 * cosine * cosine + l.distanceVariance_m2 +
                                  along_m * along_m * l.angleVariance_rad2 +
@@ -204,9 +203,8 @@ void MatchView::build(const SegmentedScan& segmented)
   lines.clear();
   for (const Segment& segment : segmented.segments) lines.push_back(anchored(segment.line));
   singles.clear();
-  for (int i = 0; i < points.size(); ++i)
-    if (points.segment[static_cast<std::size_t>(i)] == SegmentedScan::kNoSegment)
-      singles.push_back(i);
+  for (int ray = 0; ray < segmented.rays(); ++ray)
+    if (segmented.isValid(ray) && !segmented.segmentAt(ray)) singles.push_back(ray);
 }
 
 int pairLines(const MatchView& reference, const MatchView& current, const Pose2& T_ref_cur,

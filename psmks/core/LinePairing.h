@@ -3,6 +3,7 @@
 
 #include <psmks/core/JointProblem.h>
 #include <psmks/core/PolarSurface.h>
+#include <psmks/core/RayPoints.h>
 #include <psmks/core/SegmentedScan.h>
 
 #include <vector>
@@ -27,7 +28,7 @@ struct MatchView
   };
   std::vector<AnchoredLine> lines;    //!< one per segment
   std::vector<std::uint8_t> movable;  //!< one flag per ray, see FreeStanding.h
-  std::vector<int> singles;           //!< indices into points of the rays without a segment
+  std::vector<int> singles;           //!< valid rays without a segment
 
   /** Keeps a pointer to the scan. */
   void build(const SegmentedScan& segmented);

@@ -53,19 +53,4 @@ void PolarSurface::build(const SegmentedScan& scan, const std::vector<std::uint8
     setSide(cell, 1, scan, next, normals_);
   }
 }
-
-void RayPoints::build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays)
-{
-  x_m.clear(), y_m.clear(), segment.clear(), ray.clear(), movable.clear();
-  for (int i = 0; i < scan.rays(); ++i)
-  {
-    if (!scan.isValid(i)) continue;
-    const double r = scan.range_m[static_cast<std::size_t>(i)];
-    x_m.push_back(static_cast<float>(r * scan.grid.cosines()[i]));
-    y_m.push_back(static_cast<float>(r * scan.grid.sines()[i]));
-    segment.push_back(scan.segmentOfRay[static_cast<std::size_t>(i)]);
-    ray.push_back(i);
-    movable.push_back(flagged(movableRays, i));
-  }
-}
 }  // namespace psmks

@@ -4,6 +4,8 @@
 #include <psmks/core/FastBearing.h>
 #include <psmks/core/SegmentedScan.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace psmks
@@ -41,10 +43,9 @@ class PolarSurface
     fromCentre_rad += fromCentre_rad < -kPiF ? 2 * kPiF : 0;
     fromCentre_rad -= fromCentre_rad >= kPiF ? 2 * kPiF : 0;
     const float index = fromCentre_rad * raysPerRadian_ + centreIndex_;
-    if (closed_) return index < 0 ? cells_ - 1 : std::min(static_cast<int>(index), cells_ - 1);
-    return index >= 0 && index <= static_cast<float>(cells_)
-               ? std::min(static_cast<int>(index), cells_ - 1)
-               : -1;
+    const int inside = std::min(static_cast<int>(index), cells_ - 1);
+    const int outside = closed_ ? cells_ - 1 : -1;
+    return index >= 0 && index <= static_cast<float>(cells_) ? inside : outside;
   }
 
  private:
@@ -55,17 +56,5 @@ class PolarSurface
   int cells_ = 0;
   bool closed_ = false;
   float centre_rad_ = 0, centreIndex_ = 0, raysPerRadian_ = 1;
-};
-
-/** End points of the valid rays of a scan, one array a coordinate. */
-struct RayPoints
-{
-  std::vector<float> x_m, y_m;
-  std::vector<int> segment;  //!< of each, or SegmentedScan::kNoSegment
-  std::vector<int> ray;
-  std::vector<std::uint8_t> movable;  //!< of each, see FreeStanding.h
-
-  void build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays = {});
-  int size() const { return static_cast<int>(ray.size()); }
 };
 }  // namespace psmks
