@@ -168,18 +168,14 @@ class PaperMatch
 
   double freeSpaceScoreAt(const Pose2& T_ref_cur)
   {
-    const SegmentedScan& reference = buffers_.objective.reference();
-    const SegmentedScan& current = buffers_.objective.current();
-    buffers_.referenceSurface.build(reference);
-    buffers_.currentSurface.build(current);
-    buffers_.referencePoints.build(reference);
-    buffers_.currentPoints.build(current);
+    MatchView& reference = buffers_.reference;
+    MatchView& current = buffers_.current;
+    reference.build(buffers_.objective.reference());
+    current.build(buffers_.objective.current());
     const float tolerance_m =
-        surfaceTolerance_m(std::max(reference.rangeSigma_m, current.rangeSigma_m));
-    RayCounts counts =
-        countRays(buffers_.currentPoints, buffers_.referenceSurface, T_ref_cur, tolerance_m);
-    counts += countRays(buffers_.referencePoints, buffers_.currentSurface, T_ref_cur.inverse(),
-                        tolerance_m);
+        surfaceTolerance_m(std::max(reference.scan->rangeSigma_m, current.scan->rangeSigma_m));
+    RayCounts counts = countRays(current.points, reference.surface, T_ref_cur, tolerance_m);
+    counts += countRays(reference.points, current.surface, T_ref_cur.inverse(), tolerance_m);
     return freeSpaceScore(counts);
   }
 

@@ -3,11 +3,11 @@
 
 #include <psmks/core/ExternalSolvers.h>
 #include <psmks/core/Guess.h>
+#include <psmks/core/LinePairing.h>
 #include <psmks/core/MatchResult.h>
 #include <psmks/core/MatchTrace.h>
 #include <psmks/core/PaperCovariance.h>
 #include <psmks/core/PaperOptions.h>
-#include <psmks/core/PolarSurface.h>
 #include <psmks/core/PoseObjective.h>
 #include <psmks/core/TranslationRegression.h>
 
@@ -19,8 +19,7 @@ struct PaperBuffers
   PoseObjective objective;
   TranslationProblem translation;
   PaperCovariance covariance;
-  PolarSurface referenceSurface, currentSurface;
-  RayPoints referencePoints, currentPoints;
+  MatchView reference, current;  //!< for the free-space score
 };
 
 /** Matches two scans by the scheme of the paper (section 2.3):

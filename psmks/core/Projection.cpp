@@ -83,7 +83,7 @@ double advance(const Projection& p, std::size_t before, std::size_t i, double ci
 
 /** Draws the surface between two points on the buffer. Along a straight wall 1 / range is a cosine
  * of the bearing, so that it may be interpolated linearly between neighbouring rays. */
-void drawSurface(std::size_t before, std::size_t i, double step, const BeamGrid& grid,
+void drawSurface(std::size_t before, std::size_t i, double step, int surface, const BeamGrid& grid,
                  Projection& p)
 {
   const double from = p.index[before], low = from + std::min(0.0, step);
@@ -95,8 +95,9 @@ void drawSurface(std::size_t before, std::size_t i, double step, const BeamGrid&
     const int ray = grid.neighbour(k, 0);
     if (ray < 0) continue;
     const double share = step == 0 ? 0 : (k - from) / step;
-    double& nearness = p.nearness_1pm[static_cast<std::size_t>(ray)];
-    nearness = std::max(nearness, nearBefore + share * (nearNow - nearBefore));
+    const double nearness_1pm = nearBefore + share * (nearNow - nearBefore);
+    Projection::Nearest& nearest = p.nearest[static_cast<std::size_t>(ray)];
+    if (nearness_1pm > nearest.nearness_1pm) nearest = {nearness_1pm, surface};
   }
 }
 
@@ -109,22 +110,24 @@ void drawSurfaces(const DenoisedRays& rays, const BeamGrid& grid, Projection& p)
   {
     if (!rays.continuesSurface[i]) continue;
     const double step = advance(p, before, i, circle);
-    drawSurface(before, i, step, grid, p);
+    drawSurface(before, i, step, rays.surface[i], grid, p);
     const bool single = rays.segment[i] == SegmentedScan::kNoSegment;
     if (single && step <= 0) p.mark[i] = RayMark::SeenFromBehind;
   }
 }
 
-/** True where a surface is nearer at the reference rays on both sides of the point's bearing. */
+/** True where one surface is nearer at the reference rays on both sides of the point's bearing. Two
+ *  surfaces that meet in a corner between both rays do not hide it. */
 bool isHidden(const Projection& p, std::size_t i, const BeamGrid& grid)
 {
   if (p.range_m[i] <= kHidingMargin_m) return false;
   const int below = grid.neighbour(static_cast<int>(std::floor(p.index[i])), 0);
   const int above = grid.neighbour(static_cast<int>(std::ceil(p.index[i])), 0);
   if (below < 0 || above < 0) return false;
+  const Projection::Nearest& a = p.nearest[static_cast<std::size_t>(below)];
+  const Projection::Nearest& b = p.nearest[static_cast<std::size_t>(above)];
   const double hiding_1pm = 1 / (p.range_m[i] - kHidingMargin_m);
-  return p.nearness_1pm[static_cast<std::size_t>(below)] > hiding_1pm &&
-         p.nearness_1pm[static_cast<std::size_t>(above)] > hiding_1pm;
+  return a.surface == b.surface && std::min(a.nearness_1pm, b.nearness_1pm) > hiding_1pm;
 }
 
 RayMark markOf(const DenoisedRays& rays, std::size_t i, const SegmentedScan& reference,
@@ -150,7 +153,7 @@ void resize(Projection& p, std::size_t rays, std::size_t segments, std::size_t r
   p.mark.assign(rays, RayMark::Visible);
   p.lines.resize(segments);
   p.lineTurned.resize(segments);
-  p.nearness_1pm.assign(referenceRays, 0.0);
+  p.nearest.assign(referenceRays, {});
 }
 }  // namespace
 
@@ -160,7 +163,6 @@ void DenoisedRays::assign(const SegmentedScan& scan)
   segment.clear();
   x_m.clear();
   y_m.clear();
-  continuesSurface.clear();
   for (int i = 0; i < scan.rays(); ++i)
   {
     if (!scan.isValid(i)) continue;
@@ -170,13 +172,25 @@ void DenoisedRays::assign(const SegmentedScan& scan)
     x_m.push_back(range_m * scan.grid.cosines()[i]);
     y_m.push_back(range_m * scan.grid.sines()[i]);
   }
-  int before = ray.empty() ? -1 : ray.back();
+  joinSurfaces(scan);
+}
+
+void DenoisedRays::joinSurfaces(const SegmentedScan& scan)
+{
+  continuesSurface.clear();
+  surface.clear();
+  if (ray.empty()) return;
+  int before = ray.back(), count = 0;
   for (const int i : ray)
   {
     const bool neighbours = scan.grid.neighbour(i, -1) == before;
     continuesSurface.push_back(neighbours && onOneSurface(scan, before, i));
+    if (!continuesSurface.back()) ++count;
+    surface.push_back(count);
     before = i;
   }
+  // On a closed scan the first rays may continue the surface of the last ones.
+  if (continuesSurface.front()) std::replace(surface.begin(), surface.end(), count, 0);
 }
 
 void projectScan(const DenoisedRays& rays, const SegmentedScan& current, const Pose2& T_ref_cur,

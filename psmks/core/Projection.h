@@ -20,9 +20,13 @@ struct DenoisedRays
    * hides what is behind: the same segment, or two single neighbours of nearly the same range. The
    * point before the first is the last on a closed scan. */
   std::vector<std::uint8_t> continuesSurface;
+  std::vector<int> surface;  //!< the same number for points on one surface
 
   std::size_t size() const { return ray.size(); }
   void assign(const SegmentedScan& scan);
+
+ private:
+  void joinSurfaces(const SegmentedScan& scan);
 };
 
 /** What the reference viewpoint sees of a current ray's end point. */
@@ -47,7 +51,13 @@ struct Projection
   std::vector<Line> lines;               //!< of the current segments, reference frame
   std::vector<std::uint8_t> lineTurned;  //!< 1 where a segment is seen from its other side
 
-  std::vector<double> nearness_1pm;  //!< per reference ray: 1 / range of the nearest surface, or 0
+  /** The nearest of the projected surfaces at a reference ray. */
+  struct Nearest
+  {
+    double nearness_1pm = 0;  //!< 1 / range, 0 where there is none
+    int surface = -1;
+  };
+  std::vector<Nearest> nearest;  //!< one per reference ray
 };
 
 /** Projects the current scan to the reference viewpoint (paper, section 2.1; original PSM, step 2)
