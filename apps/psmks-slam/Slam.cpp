@@ -123,10 +123,26 @@ void Slam::add(const LaserFrame& frame)
   const bool isFirst = builder_.scans().empty();
   if (!isFirst && !frame.odometry) ++scansWithoutOdometry_;
   const PosedScan& posed = builder_.add(std::move(scan), mounting.T_robot_sensor, frame.odometry);
-  if (posed.isReference) addKeyframe(posed, frame, keyframes_);
+  keepKeyframes(frame);
   if (rawlog_) rawlog_->write(posed, frame);
-  if (commandLine_.verbose && posed.match)
-    std::cerr << "scan " << builder_.scans().size() << ": " << posed.match->result.report() << '\n';
+  if (!commandLine_.verbose) return;
+  for (const auto& match : posed.matches)
+    std::cerr << "scan " << builder_.scans().size() << " to " << match.reference + 1 << ": "
+              << match.result.report() << '\n';
+}
+
+/** A scan becomes a reference when it is added, or when the next one is. */
+void Slam::keepKeyframes(const LaserFrame& frame)
+{
+  const auto& scans = builder_.scans();
+  const std::size_t count = scans.size();
+  if (lastFrame_ && scans[count - 2].isReference)
+    addKeyframe(scans[count - 2], *lastFrame_, keyframes_);
+  lastFrame_.reset();
+  if (scans.back().isReference)
+    addKeyframe(scans.back(), frame, keyframes_);
+  else
+    lastFrame_ = frame;
 }
 
 void Slam::requireScans() const

@@ -28,6 +28,7 @@ class Slam
  private:
   void buildTrajectory();
   void add(const LaserFrame& frame);
+  void keepKeyframes(const LaserFrame& frame);
   void reportSensors() const;
   LogSummary logSummary() const;
   Summary summary() const;
@@ -42,6 +43,7 @@ class Slam
   TrajectoryBuilder builder_;
   ScanConverter converter_;
   mrpt::maps::CSimpleMap keyframes_;
+  std::optional<LaserFrame> lastFrame_;  //!< while it is no key frame
   std::optional<MatchedRawlog> rawlog_;
   int scansWithoutOdometry_ = 0;
 };

@@ -32,9 +32,11 @@ void addTimes(const std::vector<PosedScan>& scans, Summary& summary)
   std::vector<double> match_s, segmentation_s;
   for (const auto& scan : scans)
   {
-    if (!scan.match) continue;
-    match_s.push_back(scan.match->time_s);
-    segmentation_s.push_back(scan.match->result.times.segmentation_s);
+    for (const auto& match : scan.matches)
+    {
+      match_s.push_back(match.time_s);
+      segmentation_s.push_back(match.result.times.segmentation_s);
+    }
   }
   constexpr double kP95 = 0.95;
   summary.matchMedian_s = median(match_s);
@@ -96,11 +98,12 @@ Summary summarise(const std::vector<PosedScan>& scans)
   {
     summary.references += scan.isReference;
     summary.pathLength_m += scan.T_last_robot.pose.translation().norm();
-    if (!scan.match) continue;
-    ++summary.matches;
-    const MatchResult& result = scan.match->result;
-    ++(result.usable() ? summary.usable : summary.failed)[toString(result.status)];
+    summary.unmatched += !scan.isMatched();
+    summary.matches += scan.matches.size();
+    for (const auto& [reference, T_ref_cur, result, time_s] : scan.matches)
+      ++(result.usable() ? summary.usable : summary.failed)[toString(result.status)];
   }
+  if (!scans.empty()) --summary.unmatched;
   addTimes(scans, summary);
   summary.occupiedCells = occupiedCells(scans);
   return summary;
@@ -123,7 +126,8 @@ Trajectory odometryOf(const std::vector<PosedScan>& scans)
 void printSummary(std::ostream& out, const Summary& s)
 {
   out << std::fixed << std::setprecision(2);
-  out << "scans            " << s.scans << ", every one posed\n";
+  out << "scans            " << s.scans << ", every one posed, " << s.unmatched
+      << " by odometry alone\n";
   out << "matches          " << s.matches << " by " << s.matcher << " against " << s.references
       << " reference scans: " << listed(s.usable) << '\n';
   out << "failures         " << listed(s.failed) << '\n';
@@ -145,6 +149,7 @@ void writeSummaryJson(std::ostream& out, const Summary& s, SlamOptions& options)
   Json json{{"log", logJson(s.log)},
             {"matcher", s.matcher},
             {"scans", s.scans},
+            {"scans_by_odometry_alone", s.unmatched},
             {"references", s.references},
             {"matches", s.matches},
             {"matches_by_status", s.usable},

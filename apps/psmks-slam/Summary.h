@@ -32,6 +32,7 @@ struct Summary
   std::size_t scans = 0;
   std::size_t references = 0;
   std::size_t matches = 0;                            //!< tried
+  std::size_t unmatched = 0;                          //!< scans but the first that none placed
   std::map<std::string, std::size_t> usable, failed;  //!< matches by status
   double pathLength_m = 0;
   double matchMedian_s, matchP95_s;

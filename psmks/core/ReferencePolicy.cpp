@@ -34,6 +34,10 @@ void listFields(OptionTable& table, ReferenceOptions& o)
             "keyframe: fewer associated rays and the scan replaces the reference");
   table.add("keyframe_min_score", o.keyframeMinScore, Unit::None, 0, 1,
             "keyframe: a smaller share of rays explained and the scan replaces the reference");
+  table.add(
+      "retry_last_scan", o.retryLastScan,
+      "a scan that fails against the reference is matched against the last matched scan, which "
+      "becomes the reference; false: the paper");
   table.add("max_failures", o.maxFailures, 1, 1000000,
             "failed matches in a row after which the reference is given up");
 }

@@ -17,14 +17,15 @@ enum class ReferenceChoice
 
 struct ReferenceOptions
 {
-  ReferenceChoice choice = ReferenceChoice::Keyframe;
+  ReferenceChoice choice = ReferenceChoice::Sequential;
   bool matchEveryScan = true;              //!< false: only scans a trigger away (paper)
-  double triggerDistance_m = 0.40;         //!< sequential
-  double triggerAngle_rad = degToRad(10);  //!< sequential
+  double triggerDistance_m = 0.80;         //!< sequential
+  double triggerAngle_rad = degToRad(20);  //!< sequential
   double keyframeDistance_m = 2.0;
-  double keyframeAngle_rad = degToRad(60);
-  int keyframeMinRays = 60;        //!< associated
-  double keyframeMinScore = 0.80;  //!< MatchResult::score
+  double keyframeAngle_rad = degToRad(40);
+  int keyframeMinRays = 30;        //!< associated
+  double keyframeMinScore = 0.50;  //!< MatchResult::score
+  bool retryLastScan = true;       //!< after a failure, against the last scan that matched
   int maxFailures = 5;             //!< in a row, then the reference is given up
 };
 
@@ -37,8 +38,9 @@ void listFields(OptionTable& table, ReferenceOptions& options);
  *     reference ---o----o----x = new reference ---o---- ...
  *               <-- trigger ->
  *
- * A match that fails replaces nothing: the reference waits for the next scan, until max_failures of
- * them in a row have failed. */
+ * A scan whose match fails may be matched once more against the scan before, which shares more with
+ * it and takes the place of the reference. Apart from that a failure replaces nothing (the paper):
+ * the reference waits for the next scan, until max_failures of them in a row have failed. */
 class ReferencePolicy
 {
  public:
@@ -46,6 +48,9 @@ class ReferencePolicy
 
   /** Whether a scan at this guessed pose, seen from the reference, is matched at all. */
   bool isMatched(const Pose2& T_ref_cur) const;
+
+  /** Whether a scan whose match failed is matched against the scan before. */
+  bool isRetried() const { return options_.retryLastScan; }
 
   /** Whether a scan becomes the reference after its match.
    *  @param failuresInARow matches that failed against this reference, this one included */

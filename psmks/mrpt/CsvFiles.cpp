@@ -29,9 +29,10 @@ void writeCovariance(std::ostream& out, const Eigen::Matrix3d& covariance)
     for (Eigen::Index row = 0; row <= column; ++row) out << shown(row, column) << ',';
 }
 
-void writeMatch(std::ostream& out, const PosedScan& scan, const PosedScan& reference)
+void writeMatch(std::ostream& out, const ReferenceMatch& match, const PosedScan& scan,
+                const PosedScan& reference)
 {
-  const auto& [referenceIndex, T_ref_cur, result, time_s] = *scan.match;
+  const auto& [referenceIndex, T_ref_cur, result, time_s] = match;
   writeStamp(out, scan.stamp_s());
   writeStamp(out, reference.stamp_s());
   out << toString(result.status) << ',' << T_ref_cur.pose.x_m << ',' << T_ref_cur.pose.y_m << ','
@@ -46,7 +47,7 @@ void writeMatchesCsv(std::ostream& out, const std::vector<PosedScan>& scans)
 {
   out << kMatchesHeader;
   for (const auto& scan : scans)
-    if (scan.match) writeMatch(out, scan, scans[scan.match->reference]);
+    for (const auto& match : scan.matches) writeMatch(out, match, scan, scans[match.reference]);
 }
 
 void writeSegmentsCsv(std::ostream& out, const ScanMap& map)

@@ -39,28 +39,43 @@ const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
   if (!isFirst) place(current, odometry);
   scans_.push_back(std::move(current));
 
-  const auto& match = scans_.back().match;
-  if (isFirst || (match && policy_.isReplaced(match->result, T_ref_last_.pose, failuresInARow_)))
-    makeReference(scans_.size() - 1);
+  const auto& matches = scans_.back().matches;
+  const bool replaces = !matches.empty() && policy_.isReplaced(matches.back().result,
+                                                               T_ref_last_.pose, failuresInARow_);
+  if (isFirst || replaces) makeReference(scans_.size() - 1);
   return scans_.back();
 }
 
 void TrajectoryBuilder::place(PosedScan& current, const std::optional<Pose2>& odometry)
 {
   const UncertainPose motion = measuredMotion(odometry);
-  UncertainPose T_ref_cur = composed(T_ref_last_, motion);
   current.T_last_robot = motion;
-  if (policy_.isMatched(T_ref_cur.pose))
+  current.T_world_odometry = scans_.back().T_world_odometry * odometry.value_or(Pose2());
+
+  UncertainPose T_ref_cur = composed(T_ref_last_, motion);
+  const bool failed = policy_.isMatched(T_ref_cur.pose) && !tryMatch(current, T_ref_cur);
+  if (failed && policy_.isRetried() && scans_.back().isMatched() && !scans_.back().isReference)
   {
-    current.match = match(current, T_ref_cur);
-    const bool usable = current.match->result.usable();
-    failuresInARow_ = usable ? 0 : failuresInARow_ + 1;
-    if (usable) current.T_last_robot = difference(T_ref_last_.pose, current.match->T_ref_cur);
-    T_ref_cur = current.match->T_ref_cur;
+    makeReference(scans_.size() - 1);
+    T_ref_cur = motion;
+    tryMatch(current, T_ref_cur);
   }
   current.T_world_robot = composed(scans_[reference_].T_world_robot, T_ref_cur);
-  current.T_world_odometry = scans_.back().T_world_odometry * odometry.value_or(Pose2());
   T_ref_last_ = T_ref_cur;
+}
+
+bool TrajectoryBuilder::tryMatch(PosedScan& current, UncertainPose& T_ref_cur)
+{
+  current.matches.push_back(match(current, T_ref_cur));
+  T_ref_cur = current.matches.back().T_ref_cur;
+  if (!current.isMatched())
+  {
+    ++failuresInARow_;
+    return false;
+  }
+  failuresInARow_ = 0;
+  current.T_last_robot = difference(T_ref_last_.pose, T_ref_cur);
+  return true;
 }
 
 UncertainPose TrajectoryBuilder::measuredMotion(const std::optional<Pose2>& odometry) const

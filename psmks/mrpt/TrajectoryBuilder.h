@@ -30,8 +30,11 @@ struct PosedScan
   UncertainPose T_world_robot;
   UncertainPose T_last_robot;           //!< motion since the scan before, in the robot's frame then
   Pose2 T_world_odometry;               //!< where the odometry alone puts the robot
-  std::optional<ReferenceMatch> match;  //!< none for the first scan and where none was tried
-  bool isReference = false;
+  std::vector<ReferenceMatch> matches;  //!< in the order they were tried; the last one counts
+  bool isReference = false;             //!< now or at some time
+
+  /** False where odometry alone, or nothing, says where the robot stands. */
+  bool isMatched() const { return !matches.empty() && matches.back().result.usable(); }
 
   double stamp_s() const { return scan.stamp_s; }
   Pose2 T_world_sensor() const { return T_world_robot.pose * T_robot_sensor; }
@@ -62,6 +65,7 @@ class TrajectoryBuilder
 
  private:
   void place(PosedScan& current, const std::optional<Pose2>& odometry);
+  bool tryMatch(PosedScan& current, UncertainPose& T_ref_cur);
   UncertainPose measuredMotion(const std::optional<Pose2>& odometry) const;
   ReferenceMatch match(const PosedScan& current, const UncertainPose& guess);
   void makeReference(std::size_t index);
