@@ -81,7 +81,7 @@ void HypothesisSearch::voteTranslations(const MatchView& reference, const MatchV
 
   constraints_.clear();
   for (const Segment& cur : current.scan->segments)
-    for (std::size_t r = 0; r < reference.lines.size(); ++r)
+    for (std::size_t r = 0; r < reference.scan->segments.size(); ++r)
     {
       const Segment& ref = reference.scan->segments[r];
       const double between_rad = wrapAngle(cur.line.phi0_rad + angle.phi_rad - ref.line.phi0_rad);

@@ -7,16 +7,10 @@ bool PolarLineFilter::start(const LineSums& seed)
 {
   LineSums::Solution s{};
   if (!seed.solve(s)) return false;
-  const Line line = s.line();
+  const Line line = s.line(variance_m2_);
   r0_m_ = line.r0_m;
   phi0_rad_ = line.phi0_rad;
-  // d(r0, phi0)/du with |u| = 1/r0
-  const double r2 = r0_m_ * r0_m_;
-  Eigen::Matrix2d J;
-  J << -s.u0 * r2 * r0_m_, -s.u1 * r2 * r0_m_, -s.u1 * r2, s.u0 * r2;
-  Eigen::Matrix2d inverse;
-  inverse << s.p00, s.p01, s.p01, s.p11;
-  P_ = variance_m2_ * J * inverse * J.transpose();
+  P_ = line.covariance;
   return true;
 }
 

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/FreeStanding.h>
 #include <psmks/core/LinePairing.h>
+#include <psmks/core/Patches.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -10,24 +11,8 @@ namespace psmks
 {
 namespace
 {
-MatchView::AnchoredLine anchored(const Line& line)
-{
-  // The distance error of the line at `along` from its foot is along d(phi0) - d(r0): independent
-  // of d(phi0) at along = cov(r0, phi0) / var(phi0).
-  const Eigen::Matrix2d& P = line.covariance;
-  const double along_m = P(1, 1) > 0 ? P(0, 1) / P(1, 1) : 0;
-  MatchView::AnchoredLine a;
-  a.normal = line.normal();
-  a.along = {-a.normal.y(), a.normal.x()};
-  a.anchor_m = line.r0_m * a.normal + along_m * a.along;
-  a.distanceVariance_m2 = line.distanceVariance_m2(along_m);
-  a.angleVariance_rad2 = P(1, 1);
-  return a;
-}
-
 /** Covariance of (distance, angle) of a current line at its anchor against a reference line. */
-Eigen::Matrix2d pairCovariance(const MatchView::AnchoredLine& ref,
-                               const MatchView::AnchoredLine& cur, double along_m)
+Eigen::Matrix2d pairCovariance(const AnchoredLine& ref, const AnchoredLine& cur, double along_m)
 {
   // The reference line swings about its own anchor: its distance at `along` from there is off by
   // along d(phi), and the residual's angle by -d(phi).
@@ -62,7 +47,7 @@ class Pairing
 
   int run()
   {
-    for (std::size_t c = 0; c < cur_.lines.size(); ++c) pairSegment(c);
+    for (std::size_t c = 0; c < cur_.scan->segments.size(); ++c) pairSegment(c);
     pairSingles(cur_, ref_, T_ref_cur_, true);
     pairSingles(ref_, cur_, T_ref_cur_.inverse(), false);
     return associations_;
@@ -87,7 +72,7 @@ class Pairing
     if (last < first) last += ref_.scan->grid.closed() ? circle : 0;
     if (!(last > first)) return;
 
-    for (std::size_t r = 0; r < ref_.lines.size(); ++r)
+    for (std::size_t r = 0; r < ref_.scan->segments.size(); ++r)
     {
       const Segment& other = ref_.scan->segments[r];
       const double refFirst = other.firstRay;
@@ -108,7 +93,7 @@ class Pairing
   {
     constexpr double kFewestShared = 2;
     if (!(shared.count() >= kFewestShared)) return;
-    const MatchView::AnchoredLine& ref = ref_.lines[r];
+    const AnchoredLine& ref = ref_.lines[r];
     const double sine = ref.normal.x() * normal.y() - ref.normal.y() * normal.x();
     if (ref.normal.dot(normal) <= 0 || std::abs(sine) > std::sin(gates_.angle_rad)) return;
     const double curDistance_m = normal.dot(pointOnCurrent_m);
@@ -128,8 +113,8 @@ class Pairing
 
   void addPair(std::size_t c, std::size_t r)
   {
-    const MatchView::AnchoredLine& ref = ref_.lines[r];
-    const MatchView::AnchoredLine& cur = cur_.lines[c];
+    const AnchoredLine& ref = ref_.lines[r];
+    const AnchoredLine& cur = cur_.lines[c];
     const Eigen::Vector2d anchor_ref_m = T_ref_cur_ * cur.anchor_m;
     const double along_m = ref.along.dot(anchor_ref_m - ref.anchor_m);
     const double angle_rad =
@@ -151,12 +136,10 @@ class Pairing
       const Eigen::Vector2d p_m = R * point_m + t;
       const int line = nearestLine(to, p_m);
       if (line < 0) continue;
-      const MatchView::AnchoredLine& l = to.lines[static_cast<std::size_t>(line)];
+      const AnchoredLine& l = to.lines[static_cast<std::size_t>(line)];
       // The error of a range moves the point along its ray; only the part across the line counts.
       const double cosine = l.normal.dot(R * from.scan->grid.direction(single));
-      const double along_m = l.along.dot(p_m - l.anchor_m);
-      const double variance_m2 = rangeVariance_m2 * cosine * cosine + l.distanceVariance_m2 +
-                                 along_m * along_m * l.angleVariance_rad2 +
+      const double variance_m2 = rangeVariance_m2 * cosine * cosine + l.distanceVarianceAt_m2(p_m) +
                                  gates_.slack_m * gates_.slack_m;
       problem_.rays.push_back({current, point_m, l.normal, l.normal.dot(l.anchor_m),
                                gates_.singleRayWeight / variance_m2});
@@ -175,11 +158,11 @@ class Pairing
     float best_m = static_cast<float>(gates_.distance_m);
     for (int side = 0; side < 2; ++side)
     {
-      if (cell.segment[side] == SegmentedScan::kNoSegment) continue;
+      if (cell.line[side] < 0) continue;
       const float d_m = std::fabs(cell.nx[side] * x + cell.ny[side] * y - cell.d[side]);
       if (d_m >= best_m) continue;
       best_m = d_m;
-      nearest = cell.segment[side];
+      nearest = cell.line[side];
     }
     return nearest;
   }
@@ -198,10 +181,12 @@ void MatchView::build(const SegmentedScan& segmented)
 {
   scan = &segmented;
   findFreeStanding(segmented, movable);
-  surface.build(segmented, movable);
   points.build(segmented, movable);
   lines.clear();
-  for (const Segment& segment : segmented.segments) lines.push_back(anchored(segment.line));
+  for (const Segment& segment : segmented.segments) lines.emplace_back(segment.line);
+  lineOfRay = segmented.segmentOfRay;
+  appendPatches(segmented, lines, lineOfRay);
+  surface.build(segmented, lines, lineOfRay, movable);
   singles.clear();
   for (int ray = 0; ray < segmented.rays(); ++ray)
     if (segmented.isValid(ray) && !segmented.segmentAt(ray)) singles.push_back(ray);

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/core/AnchoredLine.h>
 #include <psmks/core/JointProblem.h>
 #include <psmks/core/PolarSurface.h>
 #include <psmks/core/RayPoints.h>
@@ -17,16 +18,8 @@ struct MatchView
   PolarSurface surface;
   RayPoints points;
 
-  /** A segment's line in the form that separates its errors: at the anchor, distance and angle
-   * errors are independent. */
-  struct AnchoredLine
-  {
-    Eigen::Vector2d normal;
-    Eigen::Vector2d along;  //!< unit vector, counter-clockwise
-    Eigen::Vector2d anchor_m;
-    double distanceVariance_m2, angleVariance_rad2;
-  };
-  std::vector<AnchoredLine> lines;    //!< one per segment
+  std::vector<AnchoredLine> lines;    //!< one per segment, in their order, then the patches
+  std::vector<int> lineOfRay;         //!< index into lines, or -1
   std::vector<std::uint8_t> movable;  //!< one flag per ray, see FreeStanding.h
   std::vector<int> singles;           //!< valid rays without a segment
 
@@ -48,8 +41,8 @@ struct PairingGates
  *
  * Lines (paper, section 2.1): a current segment goes with every reference segment that it covers
  * when seen from the reference viewpoint, where both stand within the gates over the rays they
- * share and are seen from the same side. Single rays, in both directions: with the line of the
- * other scan at their bearing, of two at a boundary the nearer.
+ * share and are seen from the same side. Single rays, in both directions: with the segment or
+ * patch of the other scan at their bearing, of two at a boundary the nearer.
  *
  * Differs from the paper: whole lines are compared with the covariances of both, instead of the
  * rays of one with the line of the other; the common error of a reference line is then counted

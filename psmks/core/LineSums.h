@@ -57,12 +57,18 @@ class LineSums
       return cosine * cosine * p00 + 2 * cosine * sine * p01 + sine * sine * p11;
     }
 
-    /** As a line; its covariance is left zero (the final fit gives it). */
-    Line line() const
+    /** As a line with its covariance, for ranges of the given variance. */
+    Line line(double variance_m2) const
     {
       Line line;
       line.r0_m = 1 / std::hypot(u0, u1);
       line.phi0_rad = std::atan2(u1, u0);
+      // d(r0, phi0)/du with |u| = 1 / r0
+      const double r2 = line.r0_m * line.r0_m, r3 = r2 * line.r0_m;
+      Eigen::Matrix2d J, inverse;
+      J << -u0 * r3, -u1 * r3, -u1 * r2, u0 * r2;
+      inverse << p00, p01, p01, p11;
+      line.covariance = variance_m2 * J * inverse * J.transpose();
       return line;
     }
   };

@@ -7,30 +7,24 @@ namespace psmks
 {
 namespace
 {
-bool flagged(const std::vector<std::uint8_t>& flags, int ray)
-{
-  return !flags.empty() && flags[static_cast<std::size_t>(ray)] != 0;
-}
-
-/** Side 0 or 1 of a cell: the line of the ray's segment, else the tangent of the circle through its
- * end point. */
+/** Side 0 or 1 of a cell: the line of the ray, else the tangent of the circle through its end
+ * point. */
 void setSide(PolarSurface::Cell& cell, int side, const SegmentedScan& scan, int ray,
-             const std::vector<Eigen::Vector2d>& normals)
+             const std::vector<AnchoredLine>& lines, const std::vector<int>& lineOfRay)
 {
   const auto i = static_cast<std::size_t>(ray);
-  const int s = scan.segmentOfRay[i];
-  const bool onLine = s != SegmentedScan::kNoSegment;
-  const Eigen::Vector2d n =
-      onLine ? normals[static_cast<std::size_t>(s)] : scan.grid.direction(ray);
-  cell.nx[side] = static_cast<float>(n.x());
-  cell.ny[side] = static_cast<float>(n.y());
-  cell.d[side] = static_cast<float>(onLine ? scan.segments[static_cast<std::size_t>(s)].line.r0_m
-                                           : scan.range_m[i]);
-  cell.segment[side] = s;
+  const int line = lineOfRay[i];
+  const AnchoredLine* l = line < 0 ? nullptr : &lines[static_cast<std::size_t>(line)];
+  cell.nx[side] = static_cast<float>(l ? l->normal.x() : scan.grid.cosines()[i]);
+  cell.ny[side] = static_cast<float>(l ? l->normal.y() : scan.grid.sines()[i]);
+  cell.d[side] = static_cast<float>(l ? l->distance_m : scan.range_m[i]);
+  cell.line[side] = line;
 }
 }  // namespace
 
-void PolarSurface::build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays)
+void PolarSurface::build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
+                         const std::vector<int>& lineOfRay,
+                         const std::vector<std::uint8_t>& movableRays)
 {
   const int rays = scan.rays();
   closed_ = scan.grid.closed();
@@ -40,17 +34,16 @@ void PolarSurface::build(const SegmentedScan& scan, const std::vector<std::uint8
       wrapAngle(scan.grid.firstBearing_rad() + centreIndex_ * scan.grid.increment_rad()));
   raysPerRadian_ = static_cast<float>(1 / scan.grid.increment_rad());
 
-  normals_.clear();
-  for (const Segment& segment : scan.segments) normals_.push_back(segment.line.normal());
   storage_.resize(static_cast<std::size_t>(cells_));
   for (int k = 0; k < cells_; ++k)
   {
     Cell& cell = storage_[static_cast<std::size_t>(k)];
     const int next = k + 1 == rays ? 0 : k + 1;
     cell.known = scan.isValid(k) && scan.isValid(next);
-    cell.movable = flagged(movableRays, k) && flagged(movableRays, next);
-    setSide(cell, 0, scan, k, normals_);
-    setSide(cell, 1, scan, next, normals_);
+    cell.movable =
+        movableRays[static_cast<std::size_t>(k)] && movableRays[static_cast<std::size_t>(next)];
+    setSide(cell, 0, scan, k, lines, lineOfRay);
+    setSide(cell, 1, scan, next, lines, lineOfRay);
   }
 }
 }  // namespace psmks

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/core/AnchoredLine.h>
 #include <psmks/core/FastBearing.h>
 #include <psmks/core/SegmentedScan.h>
 
@@ -14,7 +15,7 @@ namespace psmks
  *
  * Between two neighbouring rays k and k+1 stand two surfaces: the line of ray k and the line of ray
  * k+1, each extended over the gap (paper, section 2.1: the line equation replaces interpolation,
- * and at the ends of succeeding segments both lines are candidates). A ray without a segment stands
+ * and at the ends of succeeding segments both lines are candidates). A ray without a line stands
  * for the circle through its end point. */
 class PolarSurface
 {
@@ -24,14 +25,17 @@ class PolarSurface
   struct Cell
   {
     float nx[2], ny[2], d[2];
-    int segment[2];  //!< index, or SegmentedScan::kNoSegment
-    bool known;      //!< both rays returned
-    bool movable;    //!< both sides are a free-standing small object
+    int line[2];   //!< index into the lines it was built with, or -1
+    bool known;    //!< both rays returned
+    bool movable;  //!< both sides are a free-standing small object
   };
 
-  /** @param movableRays one flag per ray, see findFreeStanding(); empty = none
-   *  Refers to nothing of the scan afterwards. Allocates only when the number of rays grows. */
-  void build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays = {});
+  /** @param lines of segments and patches
+   *  @param lineOfRay index into lines of every ray, or -1
+   *  @param movableRays one flag per ray, see findFreeStanding()
+   *  Refers to none of them afterwards. Allocates only when the number of rays grows. */
+  void build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
+             const std::vector<int>& lineOfRay, const std::vector<std::uint8_t>& movableRays);
 
   int cells() const { return cells_; }
   const Cell& cell(int k) const { return storage_[static_cast<std::size_t>(k)]; }
@@ -52,7 +56,6 @@ class PolarSurface
   static constexpr float kPiF = 3.14159265359f;
 
   std::vector<Cell> storage_;
-  std::vector<Eigen::Vector2d> normals_;
   int cells_ = 0;
   bool closed_ = false;
   float centre_rad_ = 0, centreIndex_ = 0, raysPerRadian_ = 1;

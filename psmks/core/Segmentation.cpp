@@ -39,7 +39,8 @@ LineFit fitRun(const SegmentedScan& scan, const RayRange& rays, const LineSums& 
 {
   LineSums::Solution s{};
   if (!sums.solve(s)) return {};
-  LineFit fit = fitLine(scan, rays, s.line(), scan.rangeSigma_m);
+  LineFit fit =
+      fitLine(scan, rays, s.line(scan.rangeSigma_m * scan.rangeSigma_m), scan.rangeSigma_m);
   if (options.filter == LineFilter::Linear) return fit;
 
   PolarLineFilter filter(scan.rangeSigma_m);
@@ -87,10 +88,6 @@ bool isSegment(const LineFit& fit, const Segment& segment, const SegmentedScan& 
   if (fit.chi2 > options.maxReducedChi2 * (fit.rays - 2)) return false;
   if (offsetVariance_m2(line) > options.maxOffsetSigma_m * options.maxOffsetSigma_m) return false;
   if (line.covariance(1, 1) > options.maxAngleSigma_rad * options.maxAngleSigma_rad) return false;
-  const Eigen::Vector2d n = line.normal();
-  const double firstCosine = n.dot(scan.grid.direction(segment.firstRay));
-  const double lastCosine = n.dot(scan.grid.direction(segment.lastRay));
-  if (std::min(firstCosine, lastCosine) < options.minIncidenceCosine) return false;
   return !isCurved(fit, segment.length_m(), scan.rangeSigma_m, options.curvatureGate);
 }
 
@@ -148,10 +145,31 @@ class Finish
       finish(right, mark);
       return;
     }
+    if (LineRun trimmed = run; trimGrazing(fit.line, mark, trimmed))
+    {
+      finish(trimmed, mark);
+      return;
+    }
     const Segment segment = makeSegment(fit, rays.first, lines_.ray(run.last), scan_);
     const bool kept = isSegment(fit, segment, scan_, options_);
     remark(run, mark, kept ? static_cast<int>(scan_.segments.size()) : SegmentedScan::kNoSegment);
     if (kept) scan_.segments.push_back(segment);
+  }
+
+  /** Takes rays that graze the line off both ends: bearing errors dominate there. False where none
+   *  does, or where too few would be left. */
+  bool trimGrazing(const Line& line, int mark, LineRun& run)
+  {
+    const Eigen::Vector2d n = line.normal();
+    const auto grazes = [&](int position)
+    { return n.dot(scan_.grid.direction(lines_.ray(position))) < options_.minIncidenceCosine; };
+    const LineRun whole = run;
+    while (run.last - run.first >= options_.minRays && grazes(run.first)) ++run.first;
+    while (run.last - run.first >= options_.minRays && grazes(run.last)) --run.last;
+    if (run.first == whole.first && run.last == whole.last) return false;
+    remark({whole.first, run.first - 1, {}}, mark, SegmentedScan::kNoSegment);
+    remark({run.last + 1, whole.last, {}}, mark, SegmentedScan::kNoSegment);
+    return true;
   }
 
   /** Marks go from runs to segments; rays of dropped runs become single points. */

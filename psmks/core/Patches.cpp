@@ -1,0 +1,86 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/LineSums.h>
+#include <psmks/core/Patches.h>
+
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+constexpr double kLongest_m = 0.25;      //!< of a patch
+constexpr double kLargestStep_m = 0.12;  //!< between neighbouring points of one object
+constexpr int kFewestRays = 3;
+constexpr double kShape_m = 0.01;  //!< what a patch may deviate from its line
+constexpr double kSteepest = 0.3;  //!< smallest cosine of incidence
+
+class PatchFinder
+{
+ public:
+  PatchFinder(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
+              std::vector<int>& lineOfRay)
+      : scan_(scan), lines_(lines), lineOfRay_(lineOfRay)
+  {
+  }
+
+  void run()
+  {
+    for (int first = 0; first < scan_.rays();) first = patchFrom(first) + 1;
+  }
+
+ private:
+  bool single(int ray) const { return scan_.isValid(ray) && !scan_.segmentAt(ray); }
+
+  /** The patch that begins at a ray, if any.
+   *  @return its last ray, or the ray itself */
+  int patchFrom(int first)
+  {
+    if (!single(first)) return first;
+    LineSums sums;
+    const Eigen::Vector2d start_m = scan_.point_m(first);
+    Eigen::Vector2d previous_m = start_m;
+    int last = first;
+    for (int ray = first; ray < scan_.rays() && single(ray); ++ray)
+    {
+      const Eigen::Vector2d point_m = scan_.point_m(ray);
+      if ((point_m - previous_m).norm() > kLargestStep_m) break;
+      if ((point_m - start_m).norm() > kLongest_m) break;
+      const auto i = static_cast<std::size_t>(ray);
+      sums.add(
+          {scan_.grid.cosines()[i], scan_.grid.sines()[i], scan_.range_m[i], 1 / scan_.range_m[i]});
+      previous_m = point_m;
+      last = ray;
+    }
+    if (sums.rays() >= kFewestRays) keep(sums, first, last);
+    return last;
+  }
+
+  void keep(const LineSums& sums, int first, int last)
+  {
+    constexpr double kRoughest_m = 0.03;
+    LineSums::Solution s{};
+    if (!sums.solve(s)) return;
+    const double variance_m2 =
+        std::max(scan_.rangeSigma_m * scan_.rangeSigma_m, s.chi2 / std::max(1, sums.rays() - 2));
+    if (variance_m2 > kRoughest_m * kRoughest_m) return;
+    AnchoredLine patch(s.line(variance_m2));
+    const double cosine = patch.normal.dot(scan_.point_m((first + last) / 2).normalized());
+    if (cosine < kSteepest) return;
+    patch.distanceVariance_m2 += kShape_m * kShape_m;
+    const int index = static_cast<int>(lines_.size());
+    lines_.push_back(patch);
+    for (int ray = first; ray <= last; ++ray) lineOfRay_[static_cast<std::size_t>(ray)] = index;
+  }
+
+  const SegmentedScan& scan_;
+  std::vector<AnchoredLine>& lines_;
+  std::vector<int>& lineOfRay_;
+};
+}  // namespace
+
+void appendPatches(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
+                   std::vector<int>& lineOfRay)
+{
+  PatchFinder(scan, lines, lineOfRay).run();
+}
+}  // namespace psmks
