@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/psmks-benchmark/ExitCode.h>
 #include <apps/psmks-benchmark/PairsCommand.h>
-#include <apps/psmks-benchmark/Progress.h>
+#include <apps/support/ExitCode.h>
+#include <apps/support/Progress.h>
 #include <mrpt/config/CConfigFile.h>
 #include <psmks/mrpt/ConfigFile.h>
 #include <psmks/mrpt/PairMatcher.h>

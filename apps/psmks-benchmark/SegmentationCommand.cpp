@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/psmks-benchmark/ExitCode.h>
 #include <apps/psmks-benchmark/SegmentationCommand.h>
+#include <apps/support/ExitCode.h>
 #include <psmks/core/Segmentation.h>
 #include <psmks/core/Stopwatch.h>
 #include <psmks/eval/SegmentationQuality.h>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/psmks-benchmark/ExitCode.h>
 #include <apps/psmks-benchmark/PairsCommand.h>
 #include <apps/psmks-benchmark/SegmentationCommand.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>

@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/mrpt/BuiltSolvers.h>
 #include <psmks/mrpt/GuessPairMatcher.h>
 #include <psmks/mrpt/IcpPairMatcher.h>
 #include <psmks/mrpt/PairMatcher.h>
@@ -26,6 +27,13 @@ std::unique_ptr<PairMatcher> makePsmksPaper(const std::string& name, MatcherOpti
   return makePsmks(name, std::move(options));
 }
 
+std::unique_ptr<PairMatcher> makePsmksCeres(const std::string& name, MatcherOptions options)
+{
+  options.joint.solver = JointSolver::Ceres;
+  options.paper.translationSolver = TranslationSolver::Ceres;
+  return makePsmks(name, std::move(options));
+}
+
 template <TICPAlgorithm algorithm>
 std::unique_ptr<PairMatcher> makeIcp(const std::string& name, MatcherOptions)
 {
@@ -37,14 +45,22 @@ std::unique_ptr<PairMatcher> makeGuess(const std::string& name, MatcherOptions)
   return std::make_unique<GuessPairMatcher>(name);
 }
 
-const std::vector<std::pair<std::string, Maker>>& makers()
+using Makers = std::vector<std::pair<std::string, Maker>>;
+
+Makers builtMakers()
 {
-  static const std::vector<std::pair<std::string, Maker>> all{
-      {"psmks", makePsmks},
-      {"psmks-paper", makePsmksPaper},
-      {"icp-classic", makeIcp<mrpt::slam::icpClassic>},
-      {"icp-lm", makeIcp<mrpt::slam::icpLevenbergMarquardt>},
-      {"guess", makeGuess}};
+  Makers makers{{"psmks", makePsmks},
+                {"psmks-paper", makePsmksPaper},
+                {"icp-classic", makeIcp<mrpt::slam::icpClassic>},
+                {"icp-lm", makeIcp<mrpt::slam::icpLevenbergMarquardt>},
+                {"guess", makeGuess}};
+  if (builtSolvers()) makers.insert(makers.begin() + 1, {"psmks-ceres", makePsmksCeres});
+  return makers;
+}
+
+const Makers& makers()
+{
+  static const Makers all = builtMakers();
   return all;
 }
 }  // namespace

@@ -45,6 +45,7 @@ std::vector<std::string> pairMatcherNames();
 /** A matcher by its name:
  *
  *  - `psmks`: these options
+ *  - `psmks-ceres`: these options, but Ceres as the solver; known where it was built
  *  - `psmks-paper`: these options, but the paper's scheme and line filter
  *  - `icp-classic`, `icp-lm`: mrpt::slam::CICP with its default parameters
  *  - `guess`: no match at all, the guess is the answer

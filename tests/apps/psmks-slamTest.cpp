@@ -1,0 +1,340 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <mrpt/maps/CSimpleMap.h>
+#include <psmks/eval/Trajectory.h>
+#include <psmks/mrpt/RawlogReader.h>
+#include <tests/support/PoseMatcher.h>
+#include <tests/support/Program.h>
+#include <tests/unit/mrpt/RoomLog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace psmks
+{
+namespace
+{
+using namespace test;
+using nlohmann::json;
+
+constexpr int kScans = 8;
+constexpr const char* kSena =
+    "/usr/share/mrpt/datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog";
+const char* const kResults[] = {"trajectory.tum", "odometry.tum",  "matches.csv",
+                                "segments.csv",   "map.png",       "map.3Dscene",
+                                "map.simplemap",  "summary.json"};
+
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
+
+class PsmksSlam : public testing::Test
+{
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+  ProgramRun run(const std::string& arguments) const
+  {
+    return runProgram("cd " + quoted(folder_) + " && " + quoted(PSMKS_PROGRAM) + " " + arguments);
+  }
+
+  /** Runs on the log of that name; results go to the folder "out". */
+  ProgramRun slam(const std::string& log, const std::string& flags = "") const
+  {
+    return run(quoted(path(log)) + " --output out --overwrite " + flags);
+  }
+
+  Trajectory trajectory() const { return readTrajectory(path("out/trajectory.tum")); }
+  json summary() const { return json::parse(fileText(path("out/summary.json"))); }
+
+  /** The program's own word first, one line, no addresses. */
+  static void expectOneSentence(const ProgramRun& run)
+  {
+    EXPECT_EQ(run.errors.rfind("psmks-slam: ", 0), 0u) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+  }
+
+  void expectTruePath(double tol_m, double tol_rad) const
+  {
+    const Trajectory poses = trajectory();
+    ASSERT_EQ(poses.size(), log_.steps.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      EXPECT_TRUE(isNearly(poses[i].pose, log_.steps[i].T_world_robot, tol_m, tol_rad)) << i;
+  }
+
+  const RoomLog log_{kScans};
+  const std::string folder_ = testing::TempDir() + "psmks-slam_" +
+                              testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(PsmksSlam, bothKindsOfRawlogAndBothWaysToStoreThemGiveTheTruePath)
+{
+  writeGzipped(asFrames(log_), path("frames.rawlog"));
+  writePlain(asFrames(log_), path("plain.rawlog"));
+  writeGzipped(asObservations(log_), path("observations.rawlog"));
+  for (const char* name : {"frames.rawlog", "plain.rawlog", "observations.rawlog"})
+  {
+    const ProgramRun run = slam(name);
+    ASSERT_EQ(run.exitCode, 0) << run.errors;
+    expectTruePath(2e-3, degToRad(0.05));
+  }
+}
+
+TEST_F(PsmksSlam, writesAllItsFilesAndASummary)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  const ProgramRun run = slam("room.rawlog");
+  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");
+  for (const char* name : kResults) EXPECT_GT(std::filesystem::file_size(path("out/") + name), 0u);
+  EXPECT_NE(run.output.find("scans            8"), std::string::npos) << run.output;
+  EXPECT_EQ(summary()["scans"], kScans);
+  EXPECT_EQ(summary()["matches"], kScans - 1);
+  EXPECT_EQ(summary()["failures"], 0);
+  EXPECT_GT(summary()["occupied_cells_5cm"], 100);
+  EXPECT_EQ(summary()["options"]["matcher"]["scheme"], "joint");
+}
+
+TEST_F(PsmksSlam, theSimplemapIsReadByMrptWithTheKeyframesOfTheRun)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  slam("room.rawlog", "--set reference.trigger_distance_m=0.15");
+  mrpt::maps::CSimpleMap map;
+  ASSERT_TRUE(map.loadFromFile(path("out/map.simplemap")));
+  EXPECT_GT(map.size(), 2u);
+  EXPECT_EQ(summary()["references"], map.size());
+}
+
+TEST_F(PsmksSlam, theOutputFolderIsNamedAfterTheLogAndNotOverwritten)
+{
+  writeGzipped(asFrames(log_), path("my room.rawlog"));
+  EXPECT_EQ(run("'my room.rawlog'").exitCode, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("my room-slam/summary.json")));
+
+  const ProgramRun again = run("'my room.rawlog'");
+  EXPECT_EQ(again.exitCode, 1);
+  expectOneSentence(again);
+  EXPECT_NE(again.errors.find("--overwrite"), std::string::npos);
+  EXPECT_EQ(run("'my room.rawlog' --overwrite").exitCode, 0);
+}
+
+TEST_F(PsmksSlam, theSavedRawlogHoldsTheMatchedMotions)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  ASSERT_EQ(slam("room.rawlog", "--save-rawlog matched.rawlog").exitCode, 0);
+  RawlogReader reader(path("matched.rawlog"));
+  LaserFrame frame;
+  for (std::size_t i = 0; i < log_.steps.size(); ++i)
+  {
+    ASSERT_TRUE(reader.next(frame));
+    if (i == 0) continue;
+    const Pose2 truth =
+        log_.steps[i - 1].T_world_robot.inverse() * log_.steps[i].T_world_robot;
+    EXPECT_TRUE(isNearly(*frame.odometry, truth, 2e-3, degToRad(0.05)));
+  }
+  EXPECT_EQ(reader.damage(), "");
+  EXPECT_EQ(slam("room.rawlog --save-rawlog matched.rawlog").exitCode, 2);  // no such log
+}
+
+TEST_F(PsmksSlam, theErrorAgainstAGroundTruthIsReported)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  std::ofstream truth(path("truth.txt"));
+  truth.precision(16);
+  truth << "% time x y phi\n";
+  for (const auto& step : log_.steps)
+    truth << step.stamp_s << ' ' << step.T_world_robot.x_m << ' ' << step.T_world_robot.y_m << ' '
+          << step.T_world_robot.phi_rad << '\n';
+  truth.close();
+  slam("room.rawlog", "--ground-truth truth.txt");
+  EXPECT_EQ(summary()["ground_truth_error"]["poses"], kScans);
+  EXPECT_LT(summary()["ground_truth_error"]["max_m"], 2e-3);
+  slam("room.rawlog", "--ground-truth truth.txt --matcher odometry");
+  EXPECT_GT(summary()["ground_truth_error"]["max_m"], 0.02);
+}
+
+TEST_F(PsmksSlam, aGroundTruthThatCannotBeReadIsAnInputError)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  std::ofstream(path("truth.txt")) << "1 2 3\n";
+  for (const char* name : {"truth.txt", "none.txt"})
+  {
+    const ProgramRun run = slam("room.rawlog", std::string("--ground-truth ") + name);
+    EXPECT_EQ(run.exitCode, 2);
+    expectOneSentence(run);
+  }
+}
+
+TEST_F(PsmksSlam, everyMatcherRuns)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  for (const char* matcher : {"psmks", "psmks-paper", "icp-classic", "icp-lm", "odometry"})
+  {
+    const ProgramRun run = slam("room.rawlog", std::string("--matcher ") + matcher);
+    EXPECT_EQ(run.exitCode, 0) << matcher << ": " << run.errors;
+    EXPECT_EQ(trajectory().size(), log_.steps.size()) << matcher;
+  }
+}
+
+TEST_F(PsmksSlam, scansWithoutAnyOdometryAreMatchedFromTheLastMotion)
+{
+  Entries entries;
+  for (const auto& step : log_.steps) entries.push_back(step.scan);
+  writeGzipped(entries, path("scans.rawlog"));
+  ASSERT_EQ(slam("scans.rawlog").exitCode, 0);
+  expectTruePath(2e-3, degToRad(0.05));
+  const ProgramRun odometry = slam("scans.rawlog", "--matcher odometry");
+  EXPECT_EQ(odometry.exitCode, 3);
+  expectOneSentence(odometry);
+}
+
+TEST_F(PsmksSlam, unsetStampsCommentsAndASecondScannerDoNotDisturb)
+{
+  const auto rear = std::dynamic_pointer_cast<mrpt::obs::CObservation2DRangeScan>(
+      log_.steps[0].scan->duplicateGetSmartPtr());
+  rear->sensorLabel = "REAR";
+  for (const auto& step : log_.steps) step.scan->timestamp = INVALID_TIMESTAMP;
+  Entries entries = asFrames(log_);
+  entries.push_back(rear);
+  entries.insert(entries.begin(), mrpt::obs::CObservationComment::Create());
+  writeGzipped(entries, path("odd.rawlog"));
+
+  const ProgramRun run = slam("odd.rawlog");
+  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  expectOneSentence(run);  // which scanner was taken
+  EXPECT_NE(run.errors.find("--sensor"), std::string::npos);
+  expectTruePath(2e-3, degToRad(0.05));
+
+  EXPECT_EQ(slam("odd.rawlog", "--sensor REAR").exitCode, 0);
+  EXPECT_EQ(trajectory().size(), 1u);
+  EXPECT_EQ(slam("odd.rawlog", "--sensor LEFT").exitCode, 3);
+}
+
+TEST_F(PsmksSlam, whatWasReadBeforeTheDamageIsSaved)
+{
+  writePlain(asFrames(log_), path("cut.rawlog"));
+  std::filesystem::resize_file(path("cut.rawlog"),
+                               std::filesystem::file_size(path("cut.rawlog")) / 2);
+  const ProgramRun run = slam("cut.rawlog");
+  EXPECT_EQ(run.exitCode, 2);
+  expectOneSentence(run);
+  EXPECT_EQ(trajectory().size(), 3u);
+  EXPECT_NE(summary()["log"]["damage"], "");
+}
+
+TEST_F(PsmksSlam, emptyRandomMissingAndScanlessLogsEndWithTheirExitCodes)
+{
+  std::ofstream(path("empty.rawlog")).close();
+  std::ofstream(path("random.rawlog"), std::ios::binary) << std::string(5000, '\xC3');
+  Entries actions;
+  for (const auto& step : log_.steps) actions.push_back(makeActions(step));
+  writeGzipped(actions, path("scanless.rawlog"));
+  const std::pair<const char*, int> expected[] = {
+      {"empty.rawlog", 2}, {"random.rawlog", 2}, {"none.rawlog", 2}, {"scanless.rawlog", 3}};
+  for (const auto& [name, code] : expected)
+  {
+    const ProgramRun run = slam(name);
+    EXPECT_EQ(run.exitCode, code) << name;
+    expectOneSentence(run);
+  }
+}
+
+TEST_F(PsmksSlam, scansWithoutAValidRayAreNoUsableScans)
+{
+  for (const auto& step : log_.steps) step.scan->resizeScanAndAssign(361, 0, false);
+  writeGzipped(asFrames(log_), path("blind.rawlog"));
+  const ProgramRun run = slam("blind.rawlog");
+  EXPECT_EQ(run.exitCode, 3);
+  expectOneSentence(run);
+}
+
+TEST_F(PsmksSlam, whereEveryMatchFailsTheOdometryIsSaved)
+{
+  for (std::size_t i = 1; i < log_.steps.size(); ++i)
+    log_.steps[i].scan->resizeScanAndAssign(361, 0, false);
+  writeGzipped(asFrames(log_), path("blind.rawlog"));
+  const ProgramRun run = slam("blind.rawlog");
+  EXPECT_EQ(run.exitCode, 4);
+  expectOneSentence(run);
+  EXPECT_EQ(trajectory().size(), log_.steps.size());
+  EXPECT_TRUE(isNearly(trajectory().back().pose, log_.steps.back().T_odom_robot, 1e-6, 1e-6));
+}
+
+TEST_F(PsmksSlam, helpAndVersionGoToStdout)
+{
+  const ProgramRun help = run("--help");
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_NE(help.output.find("--ground-truth"), std::string::npos);
+  EXPECT_EQ(run("--version").exitCode, 0);
+  EXPECT_EQ(run("--version").output.rfind("psmks-slam 0.", 0), 0u);
+}
+
+TEST_F(PsmksSlam, wrongCommandLinesEndWithOneSentence)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  std::ofstream(path("carmen.log")) << "# CARMEN\n";
+  std::ofstream(path("foreign.ini")) << "[ICP]\nmaxIterations = 3\n";
+  std::ofstream(path("wrong.ini")) << "[psmks.segmentation]\nmin_ray = 6\n";
+  const std::pair<const char*, const char*> expected[] = {
+      {"", "LOG"},
+      {"room.rawlog --no-such-flag", "--no-such-flag"},
+      {"room.rawlog --matcher csm", "csm"},
+      {"room.rawlog --reference map", "map"},
+      {"room.rawlog --set segmentation.min_rays=abc", "min_rays"},
+      {"room.rawlog --set reference.max_failures=0", "max_failures"},
+      {"room.rawlog --set nonsense", "nonsense"},
+      {"room.rawlog --config none.ini", "none.ini"},
+      {"room.rawlog --config foreign.ini", "foreign.ini"},
+      {"room.rawlog --config wrong.ini", "min_rays"},
+      {"carmen.log", "CARMEN"}};
+  for (const auto& [arguments, word] : expected)
+  {
+    const ProgramRun result = run(std::string(arguments) + " --output out");
+    EXPECT_EQ(result.exitCode, 1) << arguments;
+    expectOneSentence(result);
+    EXPECT_NE(result.errors.find(word), std::string::npos) << arguments << ": " << result.errors;
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
+TEST_F(PsmksSlam, theViewNeedsADisplay)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  const ProgramRun run = runProgram("cd " + quoted(folder_) + " && env -u DISPLAY " +
+                                    quoted(PSMKS_PROGRAM) + " room.rawlog --view");
+  EXPECT_EQ(run.exitCode, 1);
+  expectOneSentence(run);
+}
+
+TEST_F(PsmksSlam, thePrintedConfigurationIsReadBackAndFlagsOverrideIt)
+{
+  const std::string printed =
+      run("--print-config --set odometry.min_sigma_m=0.02 --reference keyframe").output;
+  EXPECT_NE(printed.find("[slam.odometry]"), std::string::npos);
+  std::ofstream(path("effective.ini")) << printed;
+  EXPECT_EQ(run("--print-config --config effective.ini").output, printed);
+  const std::string overridden =
+      run("--print-config --config effective.ini --reference sequential").output;
+  EXPECT_NE(overridden.find("choice = sequential"), std::string::npos);
+  EXPECT_NE(overridden.find("min_sigma_m = 0.02"), std::string::npos);
+}
+
+TEST_F(PsmksSlam, theSenaLoopIsPosedScanByScanIntoASharpMap)
+{
+  if (!std::filesystem::exists(kSena)) GTEST_SKIP() << kSena << " is not installed";
+  const ProgramRun result = run(quoted(kSena) + " --output out");
+  ASSERT_EQ(result.exitCode, 0) << result.errors;
+  for (const char* name : kResults) EXPECT_GT(std::filesystem::file_size(path("out/") + name), 0u);
+  EXPECT_EQ(trajectory().size(), 225u);
+  EXPECT_EQ(summary()["scans"], 225);
+  EXPECT_LE(summary()["occupied_cells_5cm"], 10500);
+
+  ASSERT_EQ(run(quoted(kSena) + " --output odo --matcher odometry").exitCode, 0);
+  const json odometry = json::parse(fileText(path("odo/summary.json")));
+  EXPECT_NEAR(odometry["occupied_cells_5cm"], 29400, 200);
+}
+}  // namespace
+}  // namespace psmks
