@@ -4,6 +4,7 @@
 #include <psmks/mrpt/PairMatcher.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace psmks
@@ -40,6 +41,8 @@ class GuessRuns
       Stopwatch stopwatch;
       record.result = match(m, pairs[p]);
       record.time_s = std::min(record.time_s, stopwatch.lap_s());
+      if (options_.sequential)
+        record.sequentialTime_s = std::fmin(record.sequentialTime_s, sequentialTime_s(m, pairs[p]));
     }
   }
 
@@ -52,12 +55,21 @@ class GuessRuns
     record.id = pair.id;
     record.T_ref_cur_true = pair.T_ref_cur_true;
     record.time_s = std::numeric_limits<double>::infinity();
+    record.sequentialTime_s = std::numeric_limits<double>::quiet_NaN();
     return record;
   }
 
   MatchResult match(std::size_t m, const ScanPair& pair)
   {
     return matchers_[m]->match(pair.reference, pair.current, guess(pair));
+  }
+
+  double sequentialTime_s(std::size_t m, const ScanPair& pair)
+  {
+    matchers_[m]->setReference(pair.reference);
+    Stopwatch stopwatch;
+    matchers_[m]->matchToReference(pair.current, guess(pair));
+    return stopwatch.lap_s();
   }
 
   Guess guess(const ScanPair& pair) const

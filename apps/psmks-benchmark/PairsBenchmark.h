@@ -27,6 +27,7 @@ struct PairsBenchmarkOptions
   std::vector<GuessKind> guesses{GuessKind::Zero, GuessKind::Odometry};
   MatcherOptions matcherOptions;
   int repeats = 1;
+  bool sequential = false;  //!< also time matches against a reference that is prepared beforehand
   double odometrySigma_m = 0.07;
   double odometrySigma_rad = degToRad(8);
 };

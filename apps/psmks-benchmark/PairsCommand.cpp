@@ -81,6 +81,8 @@ PairsCommand::PairsCommand(CLI::App& app)
                  "interleaved; the time of a pair is the smallest of its repeats")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_flag("--sequential", options_.sequential,
+               "also the time against a reference that is prepared beforehand, as in a sequence");
   app.add_option("--max-pairs", maxPairs_, "of each file; 0 = all")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

@@ -64,6 +64,7 @@ std::vector<Table::Cell> tableRow(const PairsRun& run, const PairsSummary& s, do
           kPercent * s.ellipsoidShare,
           kMillisecondsPerSecond * s.timeMedian_s,
           kMillisecondsPerSecond * s.timeP95_s,
+          kMillisecondsPerSecond * s.sequentialTimeMedian_s,
           s.timeMedian_s / timeUnit_s};
 }
 }  // namespace
@@ -97,6 +98,7 @@ PairsSummary summarize(const std::vector<PairRecord>& records)
   s.ellipsoidShare = shareBelow(neesOfUsable, kChi2At95With3Dof);
   s.timeMedian_s = median(times);
   s.timeP95_s = quantile(times, 0.95);
+  s.sequentialTimeMedian_s = median(collect(records, [](R r) { return r.sequentialTime_s; }));
   return s;
 }
 
@@ -119,6 +121,7 @@ Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
                    {"in 95 %", "ellipsoid_95_percent", 1},
                    {"median ms", "time_median_ms", 3},
                    {"p95 ms", "time_p95_ms", 3},
+                   {"sequential ms", "sequential_time_median_ms", 3},
                    {"/ " + baseline, "time_ratio", 2}};
   for (const auto& run : runs)
     table.rows.push_back(

@@ -17,7 +17,9 @@ struct PairRecord
   int id = 0;
   MatchResult result;
   Pose2 T_ref_cur_true;
-  double time_s = 0;
+  double time_s = 0;            //!< both scans raw
+  double sequentialTime_s = 0;  //!< reference prepared beforehand, as where a sequence is matched;
+                                //!< NaN where it was not measured
 
   PairError error() const { return pairError(result.T_ref_cur, T_ref_cur_true); }
 
@@ -45,6 +47,7 @@ struct PairsSummary
   double neesMean = 0;        //!< over usable matches that state a covariance; 3 is right
   double ellipsoidShare = 0;  //!< of these, inside the 95 % ellipsoid
   double timeMedian_s = 0, timeP95_s = 0;
+  double sequentialTimeMedian_s = 0;
 };
 
 PairsSummary summarize(const std::vector<PairRecord>& records);

@@ -1,0 +1,33 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <benchmark/benchmark.h>
+#include <benchmarks/RoomPair.h>
+#include <psmks/core/Matcher.h>
+#include <psmks/core/Projection.h>
+
+namespace psmks
+{
+namespace
+{
+/** The current scan seen from the reference viewpoint, with its occlusions: what the paper's
+ *  orientation search does for every angle; argument: rays. */
+void projection(benchmark::State& state)
+{
+  const RoomPair pair(static_cast<int>(state.range(0)));
+  const Matcher matcher(MatcherOptions::paperScheme());
+  MatcherWorkspace workspace;
+  SegmentedScan reference, current;
+  matcher.segment(pair.reference, workspace, reference);
+  matcher.segment(pair.current, workspace, current);
+  DenoisedRays rays;
+  rays.assign(current);
+  Projection projected;
+  for (auto _ : state)
+  {
+    projectScan(rays, current, pair.T_ref_cur_true, reference, projected);
+    benchmark::DoNotOptimize(projected.mark.data());
+  }
+}
+
+BENCHMARK(projection)->Arg(181)->Arg(361);
+}  // namespace
+}  // namespace psmks

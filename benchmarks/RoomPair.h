@@ -1,0 +1,18 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/Pose2.h>
+#include <psmks/core/Scan.h>
+
+namespace psmks
+{
+/** Two scans of the simulated room over 180 degrees with 30 m of range, 36 cm and 8 degrees apart:
+ *  always the same ones. */
+struct RoomPair
+{
+  Scan reference, current;
+  Pose2 T_ref_cur_true{0.3, 0.2, degToRad(8)};
+
+  explicit RoomPair(int rays);
+};
+}  // namespace psmks
