@@ -22,9 +22,8 @@ using nlohmann::json;
 constexpr int kScans = 8;
 constexpr const char* kSena =
     "/usr/share/mrpt/datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog";
-const char* const kResults[] = {"trajectory.tum", "odometry.tum",  "matches.csv",
-                                "segments.csv",   "map.png",       "map.3Dscene",
-                                "map.simplemap",  "summary.json"};
+const char* const kResults[] = {"trajectory.tum", "odometry.tum", "matches.csv",   "segments.csv",
+                                "map.png",        "map.3Dscene",  "map.simplemap", "summary.json"};
 
 std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
@@ -131,8 +130,7 @@ TEST_F(PsmksSlam, theSavedRawlogHoldsTheMatchedMotions)
   {
     ASSERT_TRUE(reader.next(frame));
     if (i == 0) continue;
-    const Pose2 truth =
-        log_.steps[i - 1].T_world_robot.inverse() * log_.steps[i].T_world_robot;
+    const Pose2 truth = log_.steps[i - 1].T_world_robot.inverse() * log_.steps[i].T_world_robot;
     EXPECT_TRUE(isNearly(*frame.odometry, truth, 2e-3, degToRad(0.05)));
   }
   EXPECT_EQ(reader.damage(), "");
@@ -216,12 +214,12 @@ TEST_F(PsmksSlam, unsetStampsCommentsAndASecondScannerDoNotDisturb)
 TEST_F(PsmksSlam, whatWasReadBeforeTheDamageIsSaved)
 {
   writePlain(asFrames(log_), path("cut.rawlog"));
-  std::filesystem::resize_file(path("cut.rawlog"),
-                               std::filesystem::file_size(path("cut.rawlog")) / 2);
+  const auto bytes = std::filesystem::file_size(path("cut.rawlog"));
+  std::filesystem::resize_file(path("cut.rawlog"), 6 * bytes / 10);
   const ProgramRun run = slam("cut.rawlog");
   EXPECT_EQ(run.exitCode, 2);
   expectOneSentence(run);
-  EXPECT_EQ(trajectory().size(), 3u);
+  EXPECT_EQ(trajectory().size(), 4u);
   EXPECT_NE(summary()["log"]["damage"], "");
 }
 

@@ -1,0 +1,94 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/core/Angle.h>
+#include <psmks/eval/Trajectory.h>
+#include <tests/support/PoseMatcher.h>
+#include <tests/support/ThrownText.h>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace psmks
+{
+namespace
+{
+class TrajectoryTest : public testing::Test
+{
+ protected:
+  void TearDown() override { std::remove(path_.c_str()); }
+
+  Trajectory read(const std::string& text) const
+  {
+    std::ofstream(path_) << text;
+    return readTrajectory(path_);
+  }
+
+  const std::string path_ = testing::TempDir() + "TrajectoryTest_" +
+                            testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(TrajectoryTest, tumIsReadAsItIsWritten)
+{
+  const Trajectory written{{1600000000.123456789, {1, -2, degToRad(170)}},
+                           {1600000000.5, {3, 4, degToRad(-30)}}};
+  std::ostringstream text;
+  writeTum(text, written);
+  EXPECT_EQ(text.str().substr(0, 20), "1600000000.123456717");  // the double nearest to it
+  const Trajectory trajectory = read(text.str());
+  ASSERT_EQ(trajectory.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_NEAR(trajectory[i].stamp_s, written[i].stamp_s, 1e-6);
+    EXPECT_TRUE(isNearly(trajectory[i].pose, written[i].pose, 1e-8, 1e-8));
+  }
+}
+
+TEST_F(TrajectoryTest, mrptGroundTruthIsReadAndCommentsAreSkipped)
+{
+  const Trajectory trajectory = read("% time x y phi\n# another\n\n10.5 1 2 3\n11 4 5 -3 % end\n");
+  ASSERT_EQ(trajectory.size(), 2u);
+  EXPECT_EQ(trajectory[0].stamp_s, 10.5);
+  EXPECT_TRUE(isNearly(trajectory[1].pose, {4, 5, -3}, 1e-12, 1e-12));
+}
+
+TEST_F(TrajectoryTest, damagedFilesAreRefusedWithTheirLine)
+{
+  EXPECT_NE(
+      test::thrownText<TrajectoryFileError>([&] { read("1 2 3 4\n1 2 3\n"); }).find(":2: expected"),
+      std::string::npos);
+  EXPECT_NE(
+      test::thrownText<TrajectoryFileError>([&] { read("1 2 3 abc\n"); }).find(":1: expected"),
+      std::string::npos);
+  EXPECT_NE(
+      test::thrownText<TrajectoryFileError>([&] { read("2 0 0 0\n1 0 0 0\n"); }).find("earlier"),
+      std::string::npos);
+  EXPECT_NE(test::thrownText<TrajectoryFileError>([&] { read("# nothing\n"); }).find("no pose"),
+            std::string::npos);
+}
+
+TEST_F(TrajectoryTest, theErrorIsMeasuredFromTheFirstCommonPose)
+{
+  //  truth, turned by 90 degrees and moved:  (5, 5) -> (5, 6) -> (5, 7)
+  const Trajectory truth{{0, {5, 5, kPi / 2}}, {1, {5, 6, kPi / 2}}, {2, {5, 7, kPi / 2}}};
+  const Trajectory estimate{{0, {0, 0, 0}}, {1, {1, 0.3, 0}}, {2, {2, 0, 0.1}}};
+  const TrajectoryError error = trajectoryError(estimate, truth);
+  EXPECT_EQ(error.poses, 3u);
+  EXPECT_NEAR(error.mean_m, 0.1, 1e-12);
+  EXPECT_NEAR(error.rms_m, 0.3 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(error.max_m, 0.3, 1e-12);
+  EXPECT_NEAR(error.max_rad, 0.1, 1e-12);
+}
+
+TEST_F(TrajectoryTest, theTruthIsInterpolatedButNotAcrossGaps)
+{
+  const Trajectory truth{{0, {0, 0, 3.1}}, {1, {1, 0, -3.1}}, {9, {9, 0, -3.1}}};
+  const double halfTurn = kPi;
+  const Trajectory estimate{{0.5, {0.5, 0, halfTurn}}, {5, {0, 0, 0}}, {10, {0, 0, 0}}};
+  const TrajectoryError error = trajectoryError(estimate, truth);
+  EXPECT_EQ(error.poses, 1u);
+  EXPECT_NEAR(error.max_m, 0, 1e-12);
+  EXPECT_TRUE(std::isnan(trajectoryError(estimate, {}).mean_m));
+}
+}  // namespace
+}  // namespace psmks

@@ -1,0 +1,53 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/mrpt/MapPicture.h>
+
+#include <cstdio>
+#include <fstream>
+
+namespace psmks
+{
+namespace
+{
+/** A wall of points along x from 0 to `length_m`, seen from a path below it. */
+ScanMap wallMap(double length_m)
+{
+  ScanMap map;
+  for (int i = 0; i <= 1000; ++i) map.points_m.push_back({length_m * i / 1000, 5});
+  map.walls.push_back({{0, 5}, {length_m, 5}, 1001, 0.01});
+  map.path = {{1, 0, 0}, {length_m - 1, 0, 0}};
+  return map;
+}
+
+/** A PNG states its width in its bytes 16 to 19, the highest first. */
+int widthOfPng_px(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(16);
+  int width_px = 0;
+  for (int byte = 0; byte < 4; ++byte) width_px = 256 * width_px + file.get();
+  return width_px;
+}
+
+class MapPictureTest : public testing::Test
+{
+ protected:
+  void TearDown() override { std::remove(path_.c_str()); }
+  const std::string path_ = testing::TempDir() + "MapPictureTest.png";
+};
+
+TEST_F(MapPictureTest, twoCentimetresAPixelAndSmallerWhereTheMapIsLarge)
+{
+  ASSERT_TRUE(saveMapPicture(wallMap(40), "title", path_));
+  EXPECT_NEAR(widthOfPng_px(path_), (40 + 2) / 0.02, 10);  // a margin of 1 m on either side
+  ASSERT_TRUE(saveMapPicture(wallMap(4000), "title", path_));
+  EXPECT_NEAR(widthOfPng_px(path_), 4000, 2);
+}
+
+TEST_F(MapPictureTest, anEmptyMapAndAFolderThatIsMissingGiveNoPicture)
+{
+  EXPECT_FALSE(saveMapPicture(ScanMap(), "title", path_));
+  EXPECT_FALSE(saveMapPicture(wallMap(40), "title", "/no/such/folder/map.png"));
+}
+}  // namespace
+}  // namespace psmks
