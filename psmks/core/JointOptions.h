@@ -25,7 +25,7 @@ struct JointOptions
   // Refinement
   double distanceGate_m = 0.20;         //!< between associated lines, first association
   double angleGate_rad = degToRad(10);  //!< between associated lines, first association
-  double kernelWidth = 4.5;             //!< standard deviations at which a line pair loses weight
+  double kernelWidth = 3.0;             //!< standard deviations at which a line pair loses weight
   double singleRayWeight = 0.5;         //!< of unsegmented rays
   int reassociations = 3;
   int maxIterations = 10;  //!< Gauss-Newton steps per association

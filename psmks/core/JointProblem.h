@@ -51,7 +51,7 @@ struct JointProblem
   std::vector<LinePairTerm> linePairs;
   std::vector<RayTerm> rays;
   std::optional<PriorTerm> prior;
-  double kernelWidth = 4.5;
+  double kernelWidth = 3.0;
 
   void clear()
   {
