@@ -49,10 +49,12 @@ std::optional<Trajectory> readGroundTruth(const std::string& path)
   }
 }
 
+bool isOdometryAlone(const CommandLine& commandLine) { return commandLine.matcher == "odometry"; }
+
 std::unique_ptr<PairMatcher> makeMatcher(const CommandLine& commandLine, const SlamOptions& options)
 {
-  const bool noMatching = commandLine.matcher == "odometry";
-  return makePairMatcher(noMatching ? "guess" : commandLine.matcher, options.matching.matcher);
+  return makePairMatcher(isOdometryAlone(commandLine) ? "guess" : commandLine.matcher,
+                         options.matching.matcher);
 }
 
 bool hasReturns(const PosedScan& posed)
@@ -157,7 +159,7 @@ void Slam::requireScans() const
   if (std::none_of(scans.begin(), scans.end(), hasReturns))
     throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no usable 2D laser scan");
   const auto withoutOdometry = static_cast<std::size_t>(scansWithoutOdometry_);
-  if (commandLine_.matcher == "odometry" && scans.size() > 1 && withoutOdometry + 1 == scans.size())
+  if (isOdometryAlone(commandLine_) && scans.size() > 1 && withoutOdometry + 1 == scans.size())
     throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no odometry");
 }
 
@@ -185,6 +187,7 @@ Summary Slam::summary() const
   Summary result = summarise(builder_.scans());
   result.log = logSummary();
   result.matcher = commandLine_.matcher;
+  if (isOdometryAlone(commandLine_)) result.unmatched = result.scans - 1;
   if (groundTruth_) result.error = trajectoryError(trajectoryOf(builder_.scans()), *groundTruth_);
   return result;
 }

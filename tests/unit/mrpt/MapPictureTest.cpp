@@ -36,10 +36,12 @@ class MapPictureTest : public testing::Test
   const std::string path_ = testing::TempDir() + "MapPictureTest.png";
 };
 
-TEST_F(MapPictureTest, twoCentimetresAPixelAndSmallerWhereTheMapIsLarge)
+TEST_F(MapPictureTest, twoCentimetresAPixelButNeitherTooFewNorTooManyPixels)
 {
   ASSERT_TRUE(saveMapPicture(wallMap(40), "title", path_));
   EXPECT_NEAR(widthOfPng_px(path_), (40 + 2) / 0.02, 10);  // a margin of 1 m on either side
+  ASSERT_TRUE(saveMapPicture(wallMap(8), "title", path_));
+  EXPECT_NEAR(widthOfPng_px(path_), 1200, 2);
   ASSERT_TRUE(saveMapPicture(wallMap(4000), "title", path_));
   EXPECT_NEAR(widthOfPng_px(path_), 4000, 2);
 }

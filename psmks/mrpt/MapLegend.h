@@ -1,0 +1,58 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/mrpt/MapSheet.h>
+
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** Lines of text, each behind a sample of what it names, and a bar for the scale, in the emptiest
+ *  corner of a sheet. */
+class MapLegend
+{
+ public:
+  explicit MapLegend(MapSheet& sheet) : sheet_(sheet), unit_(sheet.strokes(10)) {}
+
+  void add(const std::string& text) { rows_.push_back({text, Sample::None, {}, 0}); }
+  void addLine(const std::string& text, const MapSheet::Colour& colour, double width)
+  {
+    rows_.push_back({text, Sample::Line, colour, width});
+  }
+  void addMark(const std::string& text, const MapSheet::Colour& colour)
+  {
+    rows_.push_back({text, Sample::Mark, colour, 0});
+  }
+
+  void draw(double scale_m, const std::string& scaleText);
+
+ private:
+  enum class Sample
+  {
+    None,
+    Line,
+    Mark
+  };
+
+  struct Row
+  {
+    std::string text;
+    Sample sample;
+    MapSheet::Colour colour;
+    double width;
+  };
+
+  double fontScale() const;
+  int textWidth(const std::string& text) const;
+  cv::Rect emptiestCorner(const cv::Size& size) const;
+  void drawBox(const cv::Rect& box);
+  void drawRow(const Row& row, const cv::Point& at);
+  void drawScale(const cv::Point& at, int barWidth, const std::string& text);
+  void write(const std::string& text, const cv::Point& leftMiddle);
+
+  MapSheet& sheet_;
+  int unit_;  //!< pixels: half the distance of two rows
+  std::vector<Row> rows_;
+};
+}  // namespace psmks

@@ -1,0 +1,77 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/mrpt/MapSheet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace psmks
+{
+namespace
+{
+constexpr double kUsualPixel_m = 0.02;
+constexpr int kShortestSide_px = 1200, kLongestSide_px = 4000;  // of the longer side of a sheet
+constexpr double kHairlinesPerSheet = 900;
+constexpr double kMarkWidth = 4.5, kRimWidth = 6;  // hairlines
+
+/** The usual resolution, finer on small and coarser on large maps. */
+double pixelSize_m(double longerSide_m)
+{
+  return std::max(std::min(kUsualPixel_m, longerSide_m / kShortestSide_px),
+                  longerSide_m / kLongestSide_px);
+}
+}  // namespace
+
+MapSheet::MapSheet(const Frame& frame) : frame_(frame)
+{
+  const Eigen::Vector2d size_m = frame.max_m - frame.min_m;
+  pixel_m_ = pixelSize_m(size_m.maxCoeff());
+  const Eigen::Vector2i size_px = (size_m / pixel_m_).array().ceil().cast<int>();
+  image_ = cv::Mat(size_px.y(), size_px.x(), CV_8UC3, ink::kPaper);
+  hairline_px_ = std::max(1.0, size_px.maxCoeff() / kHairlinesPerSheet);
+}
+
+void MapSheet::drawGrid(double spacing_m)
+{
+  const auto [min_m, max_m] = frame_;
+  const auto firstAbove = [&](double x) { return std::ceil(x / spacing_m) * spacing_m; };
+  for (double x = firstAbove(min_m.x()); x < max_m.x(); x += spacing_m)
+    drawLine({x, min_m.y()}, {x, max_m.y()}, ink::kGrid, 1);
+  for (double y = firstAbove(min_m.y()); y < max_m.y(); y += spacing_m)
+    drawLine({min_m.x(), y}, {max_m.x(), y}, ink::kGrid, 1);
+}
+
+void MapSheet::drawPoints(const std::vector<Eigen::Vector2d>& points_m, const Colour& colour)
+{
+  const int reach = static_cast<int>(hairline_px_ / 3);
+  for (const auto& p : points_m)
+    cv::rectangle(image_, pixel(p) - cv::Point(reach, reach), pixel(p) + cv::Point(reach, reach),
+                  colour, cv::FILLED);
+}
+
+void MapSheet::drawLine(const Eigen::Vector2d& a_m, const Eigen::Vector2d& b_m,
+                        const Colour& colour, double width)
+{
+  constexpr int kShift = 4;  // OpenCV's fixed point: sixteenths of a pixel
+  cv::line(image_, pixel(a_m, 1 << kShift), pixel(b_m, 1 << kShift), colour, strokes(width),
+           cv::LINE_AA, kShift);
+}
+
+void MapSheet::drawMark(const Eigen::Vector2d& p_m, const Colour& colour)
+{
+  cv::circle(image_, pixel(p_m), strokes(kRimWidth), ink::kPaper, cv::FILLED, cv::LINE_AA);
+  cv::circle(image_, pixel(p_m), strokes(kMarkWidth), colour, cv::FILLED, cv::LINE_AA);
+}
+
+int MapSheet::strokes(double width) const
+{
+  return std::max(1, static_cast<int>(std::lround(width * hairline_px_)));
+}
+
+cv::Point MapSheet::pixel(const Eigen::Vector2d& p_m, int parts) const
+{
+  const double scale = parts / pixel_m_;
+  return {static_cast<int>(std::lround((p_m.x() - frame_.min_m.x()) * scale)),
+          static_cast<int>(std::lround((frame_.max_m.y() - p_m.y()) * scale))};
+}
+}  // namespace psmks
