@@ -13,8 +13,9 @@ struct Guess
 {
   Pose2 T_ref_cur;
 
-  /** Covariance of (x, y, phi) in reference axes. Given, the guess is a measurement that enters
-   * every normal equation of the joint scheme; absent, it is a starting point and nothing more. */
+  /** Covariance of (x, y, phi) in reference axes, positive definite. Given, the guess is a
+   * measurement that enters every normal equation of the joint scheme; absent, it is a starting
+   * point and nothing more. */
   std::optional<Eigen::Matrix3d> covariance;
 };
 }  // namespace psmks

@@ -23,7 +23,8 @@ enum class MatchStatus
                        //!< joint: no pose tried reached the acceptance score. Failure.
   Degenerate,          //!< as Converged, but one direction is not observable (a corridor): along it
                //!< the pose is the guess, across it the estimate. Usable with its covariance.
-  InvalidInput  //!< no valid ray in one of the scans, or a guess that is not finite. Failure.
+  InvalidInput  //!< no valid ray in one of the scans, or a guess that is not finite or whose
+                //!< covariance is not positive definite. Failure.
 };
 
 /** "Converged", "Degenerate", ... */
@@ -58,7 +59,8 @@ struct MatchResult
   /** True where the scans do not fix the heading (a round room). */
   bool headingUnobservable = false;
 
-  double errorBefore = 0;  //!< matching error at the guess (paper, section 2.2); no unit
+  double errorBefore = 0;  //!< matching error at the guess; no unit. Paper: section 2.2; joint:
+                           //!< 1 - free-space score
   double errorAfter = 0;   //!< matching error at T_ref_cur
   double score = 0;        //!< share of the rays explained by the other scan, 0 to 1
   int associations = 0;    //!< associated rays at T_ref_cur

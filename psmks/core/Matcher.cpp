@@ -1,12 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/JointScheme.h>
 #include <psmks/core/Matcher.h>
-#if __has_include(<psmks/core/PaperScheme.h>)
 #include <psmks/core/PaperScheme.h>
-#endif
 #include <psmks/core/Segmentation.h>
 #include <psmks/core/Stopwatch.h>
 
+#include <Eigen/Cholesky>
 #include <utility>
 
 namespace psmks
@@ -16,9 +15,7 @@ struct MatcherWorkspace::Buffers
   SegmentationBuffers segmentation;
   SegmentedScan reference, current;
   JointBuffers joint;
-#if __has_include(<psmks/core/PaperScheme.h>)
   PaperBuffers paper;
-#endif
 };
 
 MatcherWorkspace::MatcherWorkspace() : buffers_(std::make_unique<Buffers>()) {}
@@ -34,12 +31,23 @@ bool needsExternalSolvers(const MatcherOptions& options)
          options.joint.solver == JointSolver::Ceres;
 }
 
+bool isPositiveDefinite(const Eigen::Matrix3d& covariance)
+{
+  return covariance.allFinite() && covariance.llt().info() == Eigen::Success;
+}
+
+bool isUsable(const Guess& guess)
+{
+  return guess.T_ref_cur.isFinite() && (!guess.covariance || isPositiveDefinite(*guess.covariance));
+}
+
 MatchResult invalidInput(const Guess& guess)
 {
   MatchResult result;
   result.status = MatchStatus::InvalidInput;
   if (guess.T_ref_cur.isFinite()) result.T_ref_cur = guess.T_ref_cur;
-  if (guess.covariance) result.covariance = *guess.covariance;
+  if (guess.covariance && isPositiveDefinite(*guess.covariance))
+    result.covariance = *guess.covariance;
   return result;
 }
 }  // namespace
@@ -63,15 +71,11 @@ void Matcher::segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedSc
 MatchResult Matcher::match(const SegmentedScan& reference, const SegmentedScan& current,
                            const Guess& guess, MatcherWorkspace& workspace, MatchTrace* trace) const
 {
-  const bool usable = guess.T_ref_cur.isFinite() &&
-                      (!guess.covariance || guess.covariance->allFinite()) &&
-                      reference.validRays() > 0 && current.validRays() > 0;
+  const bool usable = isUsable(guess) && reference.validRays() > 0 && current.validRays() > 0;
   if (!usable) return invalidInput(guess);
-#if __has_include(<psmks/core/PaperScheme.h>)
   if (options_.scheme == Scheme::Paper)
     return matchByPaperScheme(reference, current, guess, options_.paper, externalSolvers_.get(),
                               workspace.buffers().paper, trace);
-#endif
   return matchByJointScheme(reference, current, guess, options_.joint, externalSolvers_.get(),
                             workspace.buffers().joint, trace);
 }
