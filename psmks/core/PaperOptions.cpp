@@ -31,6 +31,8 @@ void listFields(OptionTable& table, PaperOptions& o)
             "of the translation regression; frozen-bearing: the paper's");
   table.add("translation_solver", o.translationSolver, {"closed-form", "ceres"},
             "who solves the translation regression");
+  table.add("step_halvings", o.stepHalvings, 0, 10,
+            "times that a translation step that raises the error is halved; 0: the paper's");
   table.add("max_iterations", o.maxIterations, 1, 1000,
             "alternations of orientation search and translation regression");
   table.add("stop_translation_m", o.stopTranslation_m, Unit::Metre, 0, 1,

@@ -41,6 +41,7 @@ struct PaperOptions
   double maxError = 20;  //!< a larger matching error at the end fails; 0 = off
   TranslationJacobian jacobian = TranslationJacobian::FrozenBearing;
   TranslationSolver translationSolver = TranslationSolver::ClosedForm;
+  int stepHalvings = 3;  //!< of a translation step that raises the error; 0 = the paper
   int maxIterations = 30;
   double stopTranslation_m = 1e-3;
   double stopRotation_rad = degToRad(0.05);

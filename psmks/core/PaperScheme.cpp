@@ -54,7 +54,7 @@ class PaperMatch
       const bool first = result_.iterations == 1;
       Estimate next = estimate;
       if (!turn(next)) return first ? MatchStatus::TooFewAssociations : MatchStatus::Converged;
-      shift(next);
+      shift(next, estimate.value.error);
       const bool small = isSmall(estimate.T_ref_cur, next.T_ref_cur);
       const bool enough = next.value.associations >= options_.minAssociations;
       const bool improved = enough && next.value.error < estimate.value.error;
@@ -78,18 +78,21 @@ class PaperMatch
     return minimum.found;
   }
 
-  /** Translation regression. */
-  void shift(Estimate& estimate)
+  /** Translation regression. A step that does not bring the error below `before` is halved. */
+  void shift(Estimate& estimate, double before)
   {
     Stopwatch watch;
     PoseObjective& objective = buffers_.objective;
-    evaluated(estimate.T_ref_cur);
+    const Pose2 start = estimate.T_ref_cur;
+    evaluated(start);
     buildTranslationProblem(objective.projection(), objective.associations(),
                             objective.reliability(), options_.jacobian, buffers_.translation);
-    const Eigen::Vector2d step_m = translationStep_m();
-    estimate.T_ref_cur.x_m += step_m.x();
-    estimate.T_ref_cur.y_m += step_m.y();
-    estimate = evaluated(estimate.T_ref_cur);
+    Eigen::Vector2d step_m = translationStep_m();
+    for (int halvings = 0; halvings <= options_.stepHalvings; ++halvings, step_m /= 2)
+    {
+      estimate = evaluated({start.x_m + step_m.x(), start.y_m + step_m.y(), start.phi_rad});
+      if (estimate.value.error < before) break;
+    }
     result_.times.refinement_s += watch.lap_s();
     note("translation", estimate);
   }

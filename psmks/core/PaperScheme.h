@@ -26,8 +26,12 @@ struct PaperBuffers
  *
  *  1. Orientation search at the present translation.
  *  2. Translation regression at the new orientation.
- *  3. The update is accepted only if the matching error falls; else the search ends.
+ *  3. The update is accepted only if the matching error falls; else the step is
+ *     halved a few times, and if nothing helps the search ends.
  *  4. Again from 1, until the steps are small or the iterations run out.
+ *
+ * Differs from the paper: that rejects a step at once (stepHalvings = 0). Its Jacobian asks for
+ * steps up to twice too long, and many matches then end on their first alternation.
  *
  * Bad data never throws, see MatchStatus.
  *

@@ -104,12 +104,17 @@ TEST_F(PaperSchemeTest, WithoutImprovementTheGuessStands)
   scan(corridor(), T, 0, 8);
   options_.coarseRange_rad = options_.fineRange_rad = 0;
   options_.jacobian = TranslationJacobian::FrozenBearing;
+  options_.stepHalvings = 0;
   const MatchResult rejected = match({});
   EXPECT_EQ(rejected.status, MatchStatus::NoImprovement) << rejected.report();
   EXPECT_TRUE(isNearly(rejected.T_ref_cur, {}, 0, 0));
 
   options_.jacobian = TranslationJacobian::Full;
   EXPECT_NEAR(match({}).T_ref_cur.y_m, T.y_m, 1e-3);
+
+  options_.jacobian = TranslationJacobian::FrozenBearing;
+  options_.stepHalvings = 3;
+  EXPECT_NEAR(match({}).T_ref_cur.y_m, T.y_m, 2e-3);
 }
 
 TEST_F(PaperSchemeTest, TooFewRaysKeepTheGuessAndItsCovariance)
