@@ -1,0 +1,201 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/core/JointSolver.h>
+#include <tests/support/PoseMatcher.h>
+#include <tests/support/RandomNumbers.h>
+
+#include <Eigen/Cholesky>
+
+namespace psmks
+{
+namespace
+{
+class JointSolverTest : public testing::TestWithParam<unsigned>
+{
+ protected:
+  JointSolverTest() : trace_(__FILE__, __LINE__, random_.seedText()) {}
+
+  Eigen::Vector2d point() { return {random_.uniform(-5, 5), random_.uniform(-5, 5)}; }
+
+  Eigen::Vector2d unit()
+  {
+    const double angle_rad = random_.uniform(-kPi, kPi);
+    return {std::cos(angle_rad), std::sin(angle_rad)};
+  }
+
+  Pose2 pose()
+  {
+    return {random_.uniform(-2, 2), random_.uniform(-2, 2), random_.uniform(-kPi, kPi)};
+  }
+
+  /** A line pair that holds at the pose but for an error of some standard deviations. */
+  LinePairTerm linePair(const Pose2& truth)
+  {
+    const double sigma_m = random_.uniform(0.002, 0.02), sigma_rad = random_.uniform(0.001, 0.01);
+    const double correlation = random_.uniform(-0.8, 0.8) * sigma_m * sigma_rad;
+    Eigen::Matrix2d covariance;
+    covariance << sigma_m * sigma_m, correlation, correlation, sigma_rad * sigma_rad;
+    const Eigen::Vector2d n = unit(), q = point();
+    return {n, n.dot(truth * q) + random_.normal(sigma_m), q,
+            wrapAngle(-truth.phi_rad + random_.normal(sigma_rad)),
+            covariance.llt().solve(Eigen::Matrix2d::Identity())};
+  }
+
+  RayTerm ray(const Pose2& truth, bool pointIsCurrent)
+  {
+    const Eigen::Vector2d n = unit(), p = point();
+    const double d =
+        pointIsCurrent ? n.dot(truth * p) : (truth.rotation() * n).dot(p - truth.translation());
+    return {pointIsCurrent, p, n, d + random_.normal(0.01), random_.uniform(1e3, 1e4)};
+  }
+
+  JointProblem problem(const Pose2& truth)
+  {
+    JointProblem result;
+    for (int i = 0; i < 12; ++i) result.linePairs.push_back(linePair(truth));
+    for (int i = 0; i < 20; ++i) result.rays.push_back(ray(truth, i % 2 == 0));
+    return result;
+  }
+
+  Pose2 near(const Pose2& truth)
+  {
+    return {truth.x_m + random_.normal(0.05), truth.y_m + random_.normal(0.05),
+            wrapAngle(truth.phi_rad + random_.normal(0.02))};
+  }
+
+  test::RandomNumbers random_{GetParam()};
+  testing::ScopedTrace trace_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Seeds, JointSolverTest, testing::Range(1u, 21u));
+
+Pose2 shifted(const Pose2& pose, const Eigen::Vector3d& by)
+{
+  return {pose.x_m + by[0], pose.y_m + by[1], pose.phi_rad + by[2]};
+}
+
+/** Derivative by (x, y, phi) of a function of the pose, by central differences. */
+template <class Function>
+auto numericDerivative(const Pose2& pose, int column, Function f) -> decltype(f(pose))
+{
+  constexpr double h = 1e-6;
+  const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(column);
+  return (f(shifted(pose, step)) - f(shifted(pose, -step))) / (2 * h);
+}
+
+const SolverLimits kManySteps{50, 1e-10, 1e-10};
+}  // namespace
+
+TEST_P(JointSolverTest, TheJacobianOfALinePairIsTheNumericOne)
+{
+  const Pose2 at = pose();
+  const LinePairTerm term = linePair(near(at));
+  const LinePairResidual analytic = residual(term, at);
+  for (int column = 0; column < 3; ++column)
+  {
+    const Eigen::Vector2d numeric = numericDerivative(
+        at, column, [&](const Pose2& T) -> Eigen::Vector2d { return residual(term, T).e; });
+    EXPECT_LT((analytic.J.col(column) - numeric).norm(), 1e-7) << "column " << column;
+  }
+}
+
+TEST_P(JointSolverTest, TheJacobiansOfRaysAreTheNumericOnes)
+{
+  const Pose2 at = pose();
+  for (const bool pointIsCurrent : {true, false})
+  {
+    const RayTerm term = ray(near(at), pointIsCurrent);
+    const RayResidual analytic = residual(term, at);
+    for (int column = 0; column < 3; ++column)
+      EXPECT_NEAR(
+          analytic.J[column],
+          numericDerivative(at, column, [&](const Pose2& T) { return residual(term, T).e; }), 1e-7)
+          << "column " << column << (pointIsCurrent ? ", current point" : ", reference point");
+  }
+}
+
+TEST_P(JointSolverTest, TheNormalEquationsAreTheSumsOverTheTerms)
+{
+  const Pose2 truth = pose(), at = near(truth);
+  JointProblem p = problem(truth);
+  p.prior = PriorTerm{near(truth), Eigen::Vector3d(1e3, 2e3, 5e3).asDiagonal()};
+
+  const double k2 = p.kernelWidth * p.kernelWidth;
+  NormalEquations sum;
+  for (const LinePairTerm& term : p.linePairs)
+  {
+    const LinePairResidual r = residual(term, at);
+    const double s = r.e.transpose() * term.information * r.e;
+    sum.H += r.J.transpose() * term.information * r.J / (1 + s / k2);
+    sum.g -= r.J.transpose() * term.information * r.e / (1 + s / k2);
+    sum.cost += k2 * std::log(1 + s / k2) / 2;
+  }
+  for (const RayTerm& term : p.rays)
+  {
+    const RayResidual r = residual(term, at);
+    const double s = r.e * r.e * term.information;
+    sum.H += term.information * r.J.transpose() * r.J / (1 + s / k2);
+    sum.g -= term.information * r.e * r.J.transpose() / (1 + s / k2);
+    sum.cost += k2 * std::log(1 + s / k2) / 2;
+  }
+  const NormalEquations withoutPrior = linearise(p, at, false);
+  EXPECT_LT((withoutPrior.H - sum.H).norm(), 1e-9 * sum.H.norm());
+  EXPECT_LT((withoutPrior.g - sum.g).norm(), 1e-9 * sum.g.norm());
+  EXPECT_NEAR(withoutPrior.cost, sum.cost, 1e-9 * sum.cost);
+
+  const Eigen::Vector3d e(at.x_m - p.prior->T_ref_cur.x_m, at.y_m - p.prior->T_ref_cur.y_m,
+                          wrapAngle(at.phi_rad - p.prior->T_ref_cur.phi_rad));
+  const NormalEquations withPrior = linearise(p, at);
+  EXPECT_LT((withPrior.H - sum.H - p.prior->information).norm(), 1e-9 * sum.H.norm());
+  EXPECT_LT((withPrior.g - sum.g + p.prior->information * e).norm(), 1e-9 * sum.g.norm());
+  EXPECT_NEAR(withPrior.cost, sum.cost + e.dot(p.prior->information * e) / 2, 1e-9 * sum.cost);
+}
+
+TEST_P(JointSolverTest, TheGradientIsTheNumericOneOfTheCost)
+{
+  const Pose2 truth = pose(), at = near(truth);
+  const JointProblem p = problem(truth);
+  const NormalEquations n = linearise(p, at);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(n.g[i],
+                -numericDerivative(at, i, [&](const Pose2& T) { return linearise(p, T).cost; }),
+                1e-5 * n.g.norm());
+}
+
+TEST_P(JointSolverTest, EveryStepLowersTheCostUntilTheGradientIsZero)
+{
+  const Pose2 truth = pose();
+  const JointProblem p = problem(truth);
+  Pose2 estimate = near(truth);
+  const double gradientAtStart = linearise(p, estimate).g.norm();
+  for (int step = 0; step < 4; ++step)
+  {
+    const double before = linearise(p, estimate).cost;
+    solveByGaussNewton(p, {1, 0, 0}, estimate);
+    EXPECT_LE(linearise(p, estimate).cost, before * (1 + 1e-12)) << "step " << step;
+  }
+  EXPECT_TRUE(solveByGaussNewton(p, kManySteps, estimate).converged);
+  EXPECT_LT(linearise(p, estimate).g.norm(), 1e-6 * gradientAtStart);
+  EXPECT_TRUE(isNearly(estimate, truth, 0.02, degToRad(0.5)));
+}
+
+TEST_P(JointSolverTest, OneLineMovesThePoseAcrossItselfOnly)
+{
+  const Pose2 truth{0, 0, 0.2};
+  JointProblem p;
+  const Eigen::Vector2d n = unit(), along(-n.y(), n.x());
+  p.linePairs.push_back(
+      {n, 2, truth.inverse() * (2 * n), -truth.phi_rad, Eigen::Vector2d(1e4, 1e5).asDiagonal()});
+  Pose2 estimate{0.03 * n.x() + 0.04 * along.x(), 0.03 * n.y() + 0.04 * along.y(), 0.2};
+  solveByGaussNewton(p, kManySteps, estimate);
+  EXPECT_NEAR(n.dot(estimate.translation()), 0, 1e-4);
+  EXPECT_NEAR(along.dot(estimate.translation()), 0.04, 1e-4);
+}
+
+TEST(JointSolver, WithoutTermsThePoseStays)
+{
+  Pose2 estimate{1, 2, 3};
+  EXPECT_TRUE(solveByGaussNewton({}, {10, 1e-4, 1e-4}, estimate).converged);
+  EXPECT_TRUE(isNearly(estimate, {1, 2, 3}, 0, 0));
+}
+}  // namespace psmks

@@ -1,0 +1,76 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/core/Angle.h>
+#include <psmks/core/Observability.h>
+#include <tests/support/RandomNumbers.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace psmks
+{
+namespace
+{
+/** J'J of random rows: symmetric, positive definite. */
+Eigen::Matrix3d randomInformation(test::RandomNumbers& random)
+{
+  Eigen::Matrix<double, 6, 3> J;
+  for (int i = 0; i < J.size(); ++i) J(i / 3, i % 3) = random.normal(100);
+  return J.transpose() * J;
+}
+}  // namespace
+
+// The marginal covariance of the position is the corner of the whole inverse; its larger eigenvalue
+// is what is known worst.
+TEST(Observability, AgreesWithTheEigenvaluesOfTheMarginalCovariance)
+{
+  test::RandomNumbers random(51);
+  SCOPED_TRACE(random.seedText());
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Eigen::Matrix3d H = randomInformation(random);
+    const Eigen::Matrix3d P = H.inverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> position(P.topLeftCorner<2, 2>());
+    const Observability o = observability(H);
+    EXPECT_NEAR(o.weakSigma_m / std::sqrt(position.eigenvalues()[1]), 1, 1e-6);
+    EXPECT_NEAR(std::abs(o.weakDirection.dot(position.eigenvectors().col(1))), 1, 1e-6);
+    EXPECT_NEAR(o.weakDirection.norm(), 1, 1e-12);
+    EXPECT_NEAR(o.headingSigma_rad / std::sqrt(P(2, 2)), 1, 1e-6);
+  }
+}
+
+//  -------------- corridor: every row of J is (n, .), with n across
+TEST(Observability, ACorridorLeavesItsOwnDirectionOpen)
+{
+  for (const double along_deg : {0., 30., 90., 179.})
+  {
+    const Eigen::Vector2d along(std::cos(degToRad(along_deg)), std::sin(degToRad(along_deg)));
+    const Eigen::Vector2d across(-along.y(), along.x());
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+    for (const double lever_m : {-2., -1., 1., 2.})
+    {
+      const Eigen::Vector3d row(across.x(), across.y(), lever_m);
+      H += 1e4 * row * row.transpose();
+    }
+    const Observability o = observability(H);
+    EXPECT_GT(o.weakSigma_m, 1e3);
+    EXPECT_NEAR(std::abs(o.weakDirection.dot(along)), 1, 1e-9) << along_deg << " deg";
+    EXPECT_LT(o.headingSigma_rad, 0.01);
+  }
+}
+
+TEST(Observability, ARoundRoomLeavesTheHeadingOpen)
+{
+  const Observability o = observability(Eigen::Vector3d(1e4, 1e4, 0).asDiagonal());
+  EXPECT_NEAR(o.weakSigma_m, 0.01, 1e-9);
+  EXPECT_TRUE(std::isinf(o.headingSigma_rad));
+}
+
+TEST(Observability, NothingIsKnownWithoutInformation)
+{
+  const Observability o = observability(Eigen::Matrix3d::Zero());
+  EXPECT_TRUE(std::isinf(o.weakSigma_m));
+  EXPECT_TRUE(std::isinf(o.headingSigma_rad));
+  EXPECT_NEAR(o.weakDirection.norm(), 1, 1e-12);
+}
+}  // namespace psmks
