@@ -12,6 +12,8 @@ namespace psmks
 {
 namespace
 {
+constexpr int kEkfStartRays = 9;
+
 void invertRanges(const SegmentedScan& scan, std::vector<double>& inverseRange_1_m)
 {
   inverseRange_1_m.resize(scan.range_m.size());
@@ -43,6 +45,9 @@ LineFit fitRun(const SegmentedScan& scan, const RayRange& rays, const LineSums& 
       fitLine(scan, rays, s.line(scan.rangeSigma_m * scan.rangeSigma_m), scan.rangeSigma_m);
   if (options.filter == LineFilter::Linear) return fit;
 
+  // The extended filter linearises at its estimate: it starts from as many rays as the paper's
+  // authors take for a seed, or from all of a shorter line.
+  const int startRays = std::min(kEkfStartRays, sums.rays());
   PolarLineFilter filter(scan.rangeSigma_m);
   LineSums seed;
   bool started = false;
@@ -58,7 +63,7 @@ LineFit fitRun(const SegmentedScan& scan, const RayRange& rays, const LineSums& 
       continue;
     }
     seed.add(measured);
-    started = seed.rays() >= options.seedRays && filter.start(seed);
+    started = seed.rays() >= startRays && filter.start(seed);
   }
   if (started) fit.line = filter.line();
   return fit;
