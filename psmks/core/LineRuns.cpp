@@ -64,10 +64,23 @@ void LineRuns::growAll(const Filter& fresh)
     reassign(run.first, run.last, SegmentedScan::kNoSegment, index);
     run.last = growSide(filter, run, index, run.last, 1, rays_ - 1);
     run.first = growSide(filter, run, index, run.first, -1, free);
+    dropOutlyingStart(filter, run);
     runs_.push_back(run);
     free = run.last + 1;
     p = run.last;
   }
+}
+
+/** A seed of few rays bends to an outlier at its first: seen from the grown line it stands out. */
+template <class Filter>
+void LineRuns::dropOutlyingStart(const Filter& grown, LineRun& run)
+{
+  const MeasuredRay ray = measured(run.first);
+  if (run.sums.rays() <= options_.seedRays || grown.accepts(ray, options_.innovationGate)) return;
+  mark(run.first) = SegmentedScan::kNoSegment;
+  run.sums.remove(ray);
+  do ++run.first;
+  while (mark(run.first) == SegmentedScan::kNoSegment);
 }
 
 /** The sums of the seed at a position, if all of its rays are valid and on one line. */

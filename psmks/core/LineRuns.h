@@ -62,6 +62,8 @@ class LineRuns
   void growAll(const Filter& fresh);
   template <class Filter>
   int growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit);
+  template <class Filter>
+  void dropOutlyingStart(const Filter& grown, LineRun& run);
   bool seedAt(int position, LineSums& sums) const;
 
   void contest(int left, int right);
