@@ -48,6 +48,7 @@ void addFlags(CLI::App& app, CommandLine& c)
       ->allow_extra_args(false);
   app.add_flag("--view", c.view, "show the map in a 3D window");
   app.add_flag("--print-config", c.printConfig, "print all options in effect as an ini file");
+  app.add_flag("--print-options", c.printOptions, "print what they mean as Markdown tables");
   app.add_flag("-v,--verbose", c.verbose, "report every match on stderr");
   app.set_version_flag("--version", "psmks-slam " PSMKS_VERSION);
 }
@@ -62,7 +63,7 @@ ParsedCommandLine parseCommandLine(int argc, char** argv)
   try
   {
     app.parse(argc, argv);
-    if (commandLine.log.empty() && !commandLine.printConfig) throw CLI::RequiredError("LOG");
+    if (commandLine.log.empty() && !commandLine.onlyPrints()) throw CLI::RequiredError("LOG");
     return {commandLine, kOk};
   }
   catch (const CLI::Success& success)

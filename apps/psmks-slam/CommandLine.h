@@ -23,7 +23,11 @@ struct CommandLine
   bool overwrite = false;
   bool view = false;
   bool printConfig = false;
+  bool printOptions = false;
   bool verbose = false;
+
+  /** Needs no log. */
+  bool onlyPrints() const { return printConfig || printOptions; }
 };
 
 /** @return the command line, or the exit code where there is nothing to run: --help, --version, or

@@ -71,6 +71,14 @@ std::string SlamOptions::toIni()
          slamTable(*this).toIni(std::string(kSlamSection) + ".");
 }
 
+std::string SlamOptions::toMarkdown()
+{
+  const auto chapter = [](const char* title, const std::string& section, const OptionTable& table)
+  { return std::string("## ") + title + ": `[" + section + ".*]`\n\n" + table.toMarkdown(); };
+  return chapter("Matching", kMatchingSection, optionTable(matching)) +
+         chapter("Trajectories", kSlamSection, slamTable(*this));
+}
+
 std::vector<OptionField> SlamOptions::fields()
 {
   std::vector<OptionField> all = optionTable(matching).fields();

@@ -28,6 +28,9 @@ struct SlamOptions
   /** All of them, as load() reads them. */
   std::string toIni();
 
+  /** What they mean: a table for every section. */
+  std::string toMarkdown();
+
   /** One list for all stages. */
   std::vector<OptionField> fields();
 };

@@ -37,9 +37,9 @@ void refuseCarmen(const std::string& log)
 ExitCode run(const CommandLine& commandLine)
 {
   SlamOptions options = effectiveOptions(commandLine);
-  if (commandLine.printConfig)
+  if (commandLine.onlyPrints())
   {
-    std::cout << options.toIni();
+    std::cout << (commandLine.printConfig ? options.toIni() : options.toMarkdown());
     return kOk;
   }
   refuseCarmen(commandLine.log);
