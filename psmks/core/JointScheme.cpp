@@ -20,6 +20,7 @@ struct Candidate
   Pose2 T_ref_cur;
   double score = -1;
   int associations = 0;
+  int raysOn = 0;  //!< rays of a scan that lie on surfaces of the other, mean of both
   bool converged = false;
 };
 
@@ -44,7 +45,7 @@ class JointMatch
     const double guessScore = roughScore(guess_.T_ref_cur);
     result_.errorBefore = result_.errorAfter = 1 - guessScore;
     if (guessScore >= kPromising) consider(guess_.T_ref_cur);
-    if (best_.score < options_.confidentScore) searchFurther();
+    if (!isConvincing(best_)) searchFurther();
     return conclude();
   }
 
@@ -64,13 +65,23 @@ class JointMatch
                                     kRoughTolerance_m, kStride));
   }
 
-  double fullScore(const Pose2& T_ref_cur) const
+  RayCounts allCounts(const Pose2& T_ref_cur) const
   {
     RayCounts counts =
         countRays(buffers_.current.points, buffers_.reference.surface, T_ref_cur, tolerance_m_);
     counts += countRays(buffers_.reference.points, buffers_.current.surface, T_ref_cur.inverse(),
                         tolerance_m_);
-    return freeSpaceScore(counts);
+    return counts;
+  }
+
+  /** Whether a candidate leaves no doubt: it has settled, its score is high, and lines hold it in
+   * place where rays lie on surfaces. A pose half a degree off can still have its rays within the
+   * tolerance of most surfaces, but the lines there are then no pairs. */
+  bool isConvincing(const Candidate& candidate) const
+  {
+    constexpr double kFewestHeld = 0.5;
+    return candidate.converged && candidate.score >= options_.confidentScore &&
+           candidate.associations >= kFewestHeld * candidate.raysOn;
   }
 
   // ---- refinement -----------------------------------------------------------------------------
@@ -131,7 +142,9 @@ class JointMatch
     ++result_.hypotheses;
     mostAssociations_ = std::max(mostAssociations_, candidate.associations);
     if (candidate.associations < options_.minAssociations) return;
-    candidate.score = fullScore(candidate.T_ref_cur);
+    const RayCounts counts = allCounts(candidate.T_ref_cur);
+    candidate.score = freeSpaceScore(counts);
+    candidate.raysOn = counts.on / 2;
     result_.times.scoring_s += watch.lap_s();
     if (trace_)
       trace_->steps.push_back(
@@ -158,7 +171,7 @@ class JointMatch
 
     const auto most =
         std::min(hypotheses.size(), static_cast<std::size_t>(options_.refinedHypotheses));
-    for (std::size_t i = 0; i < most && best_.score < options_.confidentScore; ++i)
+    for (std::size_t i = 0; i < most && !isConvincing(best_); ++i)
     {
       if (hypotheses[i].score < kHopeless * best_.score) break;
       consider(hypotheses[i].T_ref_cur);
