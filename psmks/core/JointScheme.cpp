@@ -8,7 +8,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace psmks
 {
@@ -151,7 +150,7 @@ class JointMatch
           {"gauss-newton", candidate.T_ref_cur, candidate.score, candidate.associations, 0});
     if (candidate.score <= best_.score) return;
     best_ = candidate;
-    std::swap(buffers_.problem, buffers_.bestProblem);
+    buffers_.bestProblem = buffers_.problem;  // not swapped: either would go on growing by turns
   }
 
   void searchFurther()

@@ -1,0 +1,87 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <tests/laws/Schemes.h>
+
+#include <thread>
+
+namespace psmks
+{
+namespace
+{
+/** To the last bit, times aside. */
+testing::AssertionResult isIdentical(const MatchResult& a, const MatchResult& b)
+{
+  const bool same = a.status == b.status && a.T_ref_cur.x_m == b.T_ref_cur.x_m &&
+                    a.T_ref_cur.y_m == b.T_ref_cur.y_m &&
+                    a.T_ref_cur.phi_rad == b.T_ref_cur.phi_rad && a.covariance == b.covariance &&
+                    a.score == b.score && a.errorBefore == b.errorBefore &&
+                    a.errorAfter == b.errorAfter && a.associations == b.associations &&
+                    a.iterations == b.iterations && a.hypotheses == b.hypotheses &&
+                    a.unobservableDirection == b.unobservableDirection;
+  if (same) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << a.report() << "\nis not " << b.report();
+}
+
+class Repeat : public SchemeLaw
+{
+ protected:
+  /** Half of them too far apart for the first start, so that the search takes part. */
+  std::vector<ScanPair> somePairs()
+  {
+    std::vector<ScanPair> pairs;
+    for (int i = 0; i < kPairs; ++i)
+    {
+      ScanPair pair = randomPair(i % 3 ? kHalfCircle : kFullCircle);
+      if (i % 2 && !pairs.empty() && pairs.back().current.grid == pair.current.grid)
+        pair.current = pairs.back().current;
+      pairs.push_back(pair);
+    }
+    return pairs;
+  }
+
+  std::vector<MatchResult> matchAll(const std::vector<ScanPair>& pairs,
+                                    MatcherWorkspace& workspace) const
+  {
+    std::vector<MatchResult> results;
+    for (const ScanPair& pair : pairs)
+      results.push_back(matcher_.match(pair.reference, pair.current, {}, workspace));
+    return results;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Repeat, testing::ValuesIn(bothSchemes()), schemeName);
+}  // namespace
+
+TEST_P(Repeat, AUsedWorkspaceGivesTheSameAsAFreshOne)
+{
+  const std::vector<ScanPair> pairs = somePairs();
+  const std::vector<MatchResult> first = matchAll(pairs, workspace_);
+  const std::vector<MatchResult> again = matchAll(pairs, workspace_);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    MatcherWorkspace fresh;
+    EXPECT_TRUE(isIdentical(again[i], first[i])) << "pair " << i;
+    EXPECT_TRUE(
+        isIdentical(matcher_.match(pairs[i].reference, pairs[i].current, {}, fresh), first[i]))
+        << "pair " << i;
+  }
+}
+
+TEST_P(Repeat, TwoThreadsWithTheirOwnWorkspacesGiveTheSameAsOne)
+{
+  const std::vector<ScanPair> pairs = somePairs();
+  const std::vector<MatchResult> sequential = matchAll(pairs, workspace_);
+  std::vector<MatchResult> results[2];
+  std::vector<std::thread> threads;
+  for (std::vector<MatchResult>& result : results)
+    threads.emplace_back(
+        [&]
+        {
+          MatcherWorkspace workspace;
+          result = matchAll(pairs, workspace);
+        });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::vector<MatchResult>& result : results)
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      EXPECT_TRUE(isIdentical(result[i], sequential[i])) << "pair " << i;
+}
+}  // namespace psmks
