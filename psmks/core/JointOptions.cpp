@@ -6,9 +6,9 @@ namespace psmks
 void listFields(OptionTable& table, JointOptions& o)
 {
   table.beginSection("joint", "The joint scheme: hypotheses, refinement and acceptance.");
-  table.add("search_radius_m", o.searchRadius_m, Unit::Metre, 0, 10,
+  table.add("search_radius_m", o.searchRadius_m, Unit::Metre, 0.01, 10,
             "displacement from the guess that is searched");
-  table.add("search_angle_deg", o.searchAngle_rad, Unit::Degree, 0, degToRad(180),
+  table.add("search_angle_deg", o.searchAngle_rad, Unit::Degree, degToRad(1), degToRad(180),
             "rotation from the guess that is searched, to either side");
   table.add("voted_angles", o.votedAngles, 1, 36,
             "peaks of the vote of segment angles that are followed");

@@ -153,6 +153,18 @@ class JointMatch
     buffers_.bestProblem = buffers_.problem;  // not swapped: either would go on growing by turns
   }
 
+  /** Of starts that explain the scans alike - a square room looks the same four ways - the one
+   * nearer the guess goes first: at the limits of the search the score counts this much less. */
+  double remoteness(const Pose2& T_ref_cur) const
+  {
+    constexpr double kAtLimits = 0.05;
+    const Pose2 T_guess_start = guess_.T_ref_cur.inverse() * T_ref_cur;
+    return kAtLimits *
+           (std::abs(T_guess_start.phi_rad) / options_.searchAngle_rad +
+            T_guess_start.translation().norm() / options_.searchRadius_m) /
+           2;
+  }
+
   void searchFurther()
   {
     Stopwatch watch;
@@ -163,7 +175,7 @@ class JointMatch
     buffers_.search.propose(buffers_.reference, buffers_.current, guess_.T_ref_cur, limits,
                             hypotheses);
     if (result_.hypotheses == 0) hypotheses.push_back({guess_.T_ref_cur, 0, 0});
-    for (Hypothesis& h : hypotheses) h.score = roughScore(h.T_ref_cur);
+    for (Hypothesis& h : hypotheses) h.score = roughScore(h.T_ref_cur) - remoteness(h.T_ref_cur);
     std::sort(hypotheses.begin(), hypotheses.end(),
               [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
     result_.times.search_s += watch.lap_s();
