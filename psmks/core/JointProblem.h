@@ -15,12 +15,13 @@ namespace psmks
  * n.(R q + t) - d, and the angle between both, phi_cur + theta - phi_ref. */
 struct LinePairTerm
 {
-  Eigen::Vector2d refNormal;    //!< n, reference frame
-  double refDistance_m;         //!< d
-  Eigen::Vector2d curAnchor_m;  //!< q, the point of the current line where its errors of distance
-                                //!< and angle are independent; current frame
-  double angle_rad;             //!< phi_cur - phi_ref, wrapped about the start
-  Eigen::Matrix2d information;  //!< inverse covariance of the residual, of both lines
+  Eigen::Vector2d refNormal;      //!< n, reference frame
+  double refDistance_m;           //!< d
+  Eigen::Vector2d curAnchor_m;    //!< q, the point of the current line where its errors of distance
+                                  //!< and angle are independent; current frame
+  double angle_rad;               //!< phi_cur - phi_ref, wrapped about the start
+  Eigen::Matrix2d information;    //!< inverse covariance of the residual, of both lines
+  double angleVariance_rad2 = 0;  //!< of the angle between both lines
 };
 
 /** An unsegmented ray of one scan held against a line of the other.

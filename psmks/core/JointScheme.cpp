@@ -87,8 +87,8 @@ class JointMatch
 
   Candidate refine(const Pose2& start)
   {
-    // A start is off by a tenth of the gates or so. Without this slack a line that is known to a
-    // millimetre and a few centimetres away would look as wrong as one on another object.
+    // A start is off by a tenth of the gates or so. Until then whole lines lead the way: single
+    // rays are many, and those on other objects than their partners too.
     constexpr double kSlack = 0.1;
     JointProblem& problem = buffers_.problem;
     Candidate candidate;
@@ -97,8 +97,7 @@ class JointMatch
     for (int round = 0; round < options_.reassociations; ++round)
     {
       const bool last = round + 1 == options_.reassociations;
-      gates.slack_m = last ? 0 : kSlack * gates.distance_m;
-      gates.slack_rad = last ? 0 : kSlack * gates.angle_rad;
+      gates.singleRaySlack_m = last ? 0 : kSlack * gates.distance_m;
       problem.clear();
       problem.kernelWidth = options_.kernelWidth;
       problem.prior = guess_.covariance ? guessPrior_ : startPrior(candidate.T_ref_cur);
@@ -132,19 +131,27 @@ class JointMatch
     return solution.converged;
   }
 
-  /** Refines a start and keeps it if it is the best so far. */
-  void consider(const Pose2& start)
+  /** Refines a start and scores what comes of it; without enough associations the score is -1. */
+  Candidate scored(const Pose2& start)
   {
     Stopwatch watch;
     Candidate candidate = refine(start);
     result_.times.refinement_s += watch.lap_s();
-    ++result_.hypotheses;
-    mostAssociations_ = std::max(mostAssociations_, candidate.associations);
-    if (candidate.associations < options_.minAssociations) return;
+    if (candidate.associations < options_.minAssociations) return candidate;
     const RayCounts counts = allCounts(candidate.T_ref_cur);
     candidate.score = freeSpaceScore(counts);
     candidate.raysOn = counts.on / 2;
     result_.times.scoring_s += watch.lap_s();
+    return candidate;
+  }
+
+  /** Refines a start and keeps it if it is the best so far. */
+  void consider(const Pose2& start)
+  {
+    const Candidate candidate = scored(start);
+    ++result_.hypotheses;
+    mostAssociations_ = std::max(mostAssociations_, candidate.associations);
+    if (candidate.associations < options_.minAssociations) return;
     if (trace_)
       trace_->steps.push_back(
           {"gauss-newton", candidate.T_ref_cur, candidate.score, candidate.associations, 0});
@@ -209,8 +216,57 @@ class JointMatch
                                       ? guess_.covariance->inverse().eval()
                                       : MatchResult::unknownCovariance().inverse().eval();
     result_.covariance = (known.H + prior).inverse();
+    if (fewStraightLines() && isHeadingOpen()) leaveHeadingOpen(prior);
     result_.times.scoring_s += watch.lap_s();
     return result_;
+  }
+
+  // ---- curved surroundings --------------------------------------------------------------------
+
+  /** A curve is cut into short pieces of line, whose directions are no more than those of the
+   * pieces: in a round room they pair up at any heading, each time with confidence. Where no pair
+   * of lines is straight for long enough to know its direction well, the heading is put to the
+   * test. */
+  bool fewStraightLines() const
+  {
+    constexpr double kWellKnown_rad = degToRad(0.25);
+    for (const LinePairTerm& pair : buffers_.bestProblem.linePairs)
+      if (pair.angleVariance_rad2 < kWellKnown_rad * kWellKnown_rad) return false;
+    return true;
+  }
+
+  bool explainsAsMuch(const Candidate& other) const
+  {
+    constexpr double kSameScore = 0.03;
+    return other.score > best_.score - kSameScore;
+  }
+
+  /** Whether a start turned away stays away and explains the scans as well. */
+  bool isHeadingOpen()
+  {
+    constexpr double kTurn_rad = degToRad(5);
+    for (const double turn_rad : {-kTurn_rad, kTurn_rad})
+    {
+      Pose2 turned = best_.T_ref_cur;
+      turned.phi_rad = wrapAngle(turned.phi_rad + turn_rad);
+      const Candidate other = scored(turned);
+      const double apart_rad = wrapAngle(other.T_ref_cur.phi_rad - best_.T_ref_cur.phi_rad);
+      if (explainsAsMuch(other) && std::abs(apart_rad) > options_.weakHeadingSigma_rad) return true;
+    }
+    return false;
+  }
+
+  /** The guess's heading, the position that goes with it, and its uncertainty. */
+  void leaveHeadingOpen(const Eigen::Matrix3d& prior)
+  {
+    result_.status = MatchStatus::Degenerate;
+    result_.headingUnobservable = true;
+    Pose2 atGuess = best_.T_ref_cur;
+    atGuess.phi_rad = guess_.T_ref_cur.phi_rad;
+    const Candidate other = scored(atGuess);
+    if (explainsAsMuch(other)) result_.T_ref_cur = other.T_ref_cur;
+    result_.T_ref_cur.phi_rad = guess_.T_ref_cur.phi_rad;
+    result_.covariance(2, 2) += 1 / prior(2, 2);
   }
 
   MatchResult failed(MatchStatus status)

@@ -119,9 +119,9 @@ class Pairing
     const double along_m = ref.along.dot(anchor_ref_m - ref.anchor_m);
     const double angle_rad =
         cur_.scan->segments[c].line.phi0_rad - ref_.scan->segments[r].line.phi0_rad;
+    const Eigen::Matrix2d covariance = pairCovariance(ref, cur, along_m);
     problem_.linePairs.push_back({ref.normal, ref.normal.dot(ref.anchor_m), cur.anchor_m,
-                                  wrapAngle(angle_rad),
-                                  pairCovariance(ref, cur, along_m).inverse()});
+                                  wrapAngle(angle_rad), covariance.inverse(), covariance(1, 1)});
   }
 
   /** Single rays of one scan against the lines of the other. */
@@ -140,7 +140,7 @@ class Pairing
       // The error of a range moves the point along its ray; only the part across the line counts.
       const double cosine = l.normal.dot(R * from.scan->grid.direction(single));
       const double variance_m2 = rangeVariance_m2 * cosine * cosine + l.distanceVarianceAt_m2(p_m) +
-                                 gates_.slack_m * gates_.slack_m;
+                                 gates_.singleRaySlack_m * gates_.singleRaySlack_m;
       problem_.rays.push_back({current, point_m, l.normal, l.normal.dot(l.anchor_m),
                                gates_.singleRayWeight / variance_m2});
       ++associations_;

@@ -33,8 +33,7 @@ struct PairingGates
   double distance_m;
   double angle_rad;
   double singleRayWeight;
-  double slack_m = 0;    //!< standard deviation added to every distance: what the pose may be off
-  double slack_rad = 0;  //!< the same for angles
+  double singleRaySlack_m = 0;  //!< standard deviation added to the distances of single rays
 };
 
 /** Associates lines and single rays of two scans at a pose and appends them to a problem.
