@@ -9,6 +9,7 @@
 int main(int argc, char** argv)
 {
   CLI::App app("Compares scan matchers on the same input.", "psmks-benchmark");
+  app.set_version_flag("--version", "psmks-benchmark " PSMKS_VERSION);
   app.require_subcommand(1);
   CLI::App* pairsApp = app.add_subcommand("pairs", "matchers on files of scan pairs");
   CLI::App* segmentationApp =
@@ -21,9 +22,9 @@ int main(int argc, char** argv)
     app.parse(argc, argv);
     return pairsApp->parsed() ? pairs.run() : segmentation.run();
   }
-  catch (const CLI::Success& help)
+  catch (const CLI::Success& helpOrVersion)
   {
-    return app.exit(help);
+    return app.exit(helpOrVersion);
   }
   catch (const std::exception& error)
   {
