@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace psmks
 {
 namespace
 {
+/** No scanner measures beyond these; within them no power or inverse of a range overflows. */
+constexpr double kNearest_m = 1e-4, kFarthest_m = 1e6;
+
 double upperLimit_m(const Scan& scan, const PreprocessingOptions& options)
 {
-  double limit_m = std::numeric_limits<double>::max();
+  double limit_m = kFarthest_m;
   if (scan.maxRange_m > 0) limit_m = std::min(limit_m, scan.maxRange_m);
   if (options.maxRange_m > 0) limit_m = std::min(limit_m, options.maxRange_m);
   return limit_m;
@@ -31,7 +33,7 @@ void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedS
   result.segmentOfRay.assign(rays, SegmentedScan::kNoSegment);
   if (scan.range_m.size() != rays) return;
 
-  const double lower_m = std::max(0.0, options.minRange_m);
+  const double lower_m = std::max(kNearest_m, options.minRange_m);
   const double upper_m = upperLimit_m(scan, options);
   const bool flagged = scan.valid.size() == rays;
   for (std::size_t i = 0; i < rays; ++i)

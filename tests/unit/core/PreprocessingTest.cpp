@@ -34,16 +34,16 @@ using Ranges = std::vector<double>;
 TEST(Preprocessing, OnlyFinitePositiveRangesBelowTheMaximumAreValid)
 {
   const SegmentedScan result =
-      cleaned(scanOf({2, kNan, kInf, -kInf, 0, -1, 10, 10.5, 9.999, 1e-6}));
+      cleaned(scanOf({2, kNan, kInf, -kInf, 0, -1, 10, 10.5, 9.999, 1e-3}));
   EXPECT_EQ(result.valid, (Flags{1, 0, 0, 0, 0, 0, 0, 0, 1, 1}));
-  EXPECT_EQ(result.range_m, (Ranges{2, 0, 0, 0, 0, 0, 0, 0, 9.999, 1e-6}));
+  EXPECT_EQ(result.range_m, (Ranges{2, 0, 0, 0, 0, 0, 0, 0, 9.999, 1e-3}));
 }
 
-TEST(Preprocessing, InfinityIsInvalidWithoutAMaximumToo)
+TEST(Preprocessing, AbsurdRangesAreInvalidWithoutAMaximumToo)
 {
-  Scan scan = scanOf({2, kInf, 1e6});
+  Scan scan = scanOf({2, kInf, 1e5, 1e300, 1e-300});
   scan.maxRange_m = 0;
-  EXPECT_EQ(cleaned(scan).valid, (Flags{1, 0, 1}));
+  EXPECT_EQ(cleaned(scan).valid, (Flags{1, 0, 1, 0, 0}));
 }
 
 TEST(Preprocessing, FlaggedRaysAreInvalid)
