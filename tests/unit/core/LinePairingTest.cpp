@@ -156,7 +156,7 @@ TEST(LinePairing, TheSlackOfAStartWidensSingleRays)
   JointProblem tight, slack;
   PairingGates gates = kGates;
   pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, tight);
-  gates.slack_m = 0.02;
+  gates.singleRaySlack_m = 0.02;
   pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, slack);
   ASSERT_EQ(tight.rays.size(), 1u);
   ASSERT_EQ(slack.rays.size(), 1u);
