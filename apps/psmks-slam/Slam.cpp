@@ -188,7 +188,11 @@ Summary Slam::summary() const
   result.log = logSummary();
   result.matcher = commandLine_.matcher;
   if (isOdometryAlone(commandLine_)) result.unmatched = result.scans - 1;
-  if (groundTruth_) result.error = trajectoryError(trajectoryOf(builder_.scans()), *groundTruth_);
+  if (groundTruth_)
+  {
+    const TrajectoryError error = trajectoryError(trajectoryOf(builder_.scans()), *groundTruth_);
+    if (error.poses > 0) result.error = error;
+  }
   return result;
 }
 
@@ -197,6 +201,12 @@ ExitCode Slam::verdict(const Summary& result) const
   if (!reader_.damage().empty())
   {
     std::cerr << "psmks-slam: '" << commandLine_.log << "': " << reader_.damage() << '\n';
+    return kInputDamaged;
+  }
+  if (groundTruth_ && !result.error)
+  {
+    std::cerr << "psmks-slam: ground truth '" << commandLine_.groundTruth
+              << "' has no pose at the time of a scan\n";
     return kInputDamaged;
   }
   if (result.matches > 0 && result.failures() == result.matches)

@@ -166,6 +166,16 @@ TEST_F(PsmksSlam, aGroundTruthThatCannotBeReadIsAnInputError)
   }
 }
 
+TEST_F(PsmksSlam, aGroundTruthOfAnotherTimeIsAnInputErrorAfterEverythingIsSaved)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  std::ofstream(path("truth.txt")) << "1 0 0 0\n2 0 0 0\n";
+  const ProgramRun run = slam("room.rawlog", "--ground-truth truth.txt");
+  EXPECT_EQ(run.exitCode, 2);
+  expectOneSentence(run);
+  EXPECT_EQ(summary()["scans"], kScans);
+}
+
 TEST_F(PsmksSlam, everyMatcherRuns)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
