@@ -5,7 +5,7 @@
 #include <psmks/core/Stopwatch.h>
 #include <psmks/eval/SegmentationQuality.h>
 #include <psmks/eval/Statistics.h>
-#include <psmks/sim/RayCasting.h>
+#include <psmks/sim/Laser.h>
 
 namespace psmks
 {
@@ -31,7 +31,7 @@ const std::vector<Table::Column> kColumns{{"world", "world"},
 WallTruth truthOf(const SimulatedScan& simulated, const World& world, const Pose2& T_world_sensor)
 {
   WallTruth truth;
-  truth.wallOfRay = simulated.wallOfRay;
+  truth.wallOfRay = simulated.objectOfRay;
   for (std::size_t w = 0; w < world.walls().size(); ++w)
     truth.lines.push_back(world.lineFrom(static_cast<int>(w), T_world_sensor));
   return truth;
@@ -72,7 +72,7 @@ int SegmentationCommand::run()
   table.title = "segmentation";
   table.columns = kColumns;
   for (const auto& [worldName, world] :
-       {std::pair{"room", World::room()}, std::pair{"clutter", World::clutter(seed_)}})
+       {std::pair{"room", World::smallRoom()}, std::pair{"clutter", World::smallClutter(seed_)}})
     for (const auto& [filterName, filter] :
          {std::pair{"linear", LineFilter::Linear}, std::pair{"ekf", LineFilter::Ekf}})
       if (filter_ == "both" || filter_ == filterName)
@@ -96,7 +96,7 @@ std::vector<Table::Cell> SegmentationCommand::measure(const std::string& worldNa
   for (int p = 0; p < poses_; ++p)
   {
     const Pose2 T_world_sensor = world.randomFreePose(kMinClearance_m, random);
-    const SimulatedScan simulated = castScan(world, T_world_sensor, Scanner(), random);
+    const SimulatedScan simulated = castScan(world, T_world_sensor, LaserOptions(), random);
     Stopwatch stopwatch;
     segmentScan(simulated.scan, PreprocessingOptions(), options, buffers, segmented);
     times_s.push_back(stopwatch.lap_s());

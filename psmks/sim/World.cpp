@@ -50,7 +50,7 @@ double distance_m(const World::Wall& wall, const Eigen::Vector2d& point_m)
 //   |     +---+                     |  |         |
 //   |                               +--+         |
 //   +--------------------------------------------+  0 to 14 m
-World World::room()
+World World::smallRoom()
 {
   World world;
   world.addBox({0, 0}, kRoomSize_m);
@@ -64,7 +64,7 @@ World World::room()
   return world;
 }
 
-World World::clutter(unsigned seed)
+World World::smallClutter(unsigned seed)
 {
   constexpr std::size_t kWalls = 4 + 16 * 4;
   constexpr double kGap_m = 0.9;  // between a box and everything placed before it
@@ -82,8 +82,8 @@ World World::clutter(unsigned seed)
   return world;
 }
 
-World::Hit World::cast(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction,
-                       double maxRange_m) const
+Hit World::cast(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction,
+                double maxRange_m, double /*time_s*/) const
 {
   Hit nearest{maxRange_m, Hit::kNothing};
   for (std::size_t w = 0; w < walls_.size(); ++w)
@@ -104,9 +104,9 @@ Line World::lineFrom(int wall, const Pose2& T_world_sensor) const
   return line.transformed(T_world_sensor.inverse());
 }
 
-double World::clearance_m(const Eigen::Vector2d& point_m) const
+double World::clearance_m(const Eigen::Vector2d& point_m, double limit_m, double /*time_s*/) const
 {
-  double nearest_m = std::numeric_limits<double>::infinity();
+  double nearest_m = limit_m;
   for (const Wall& wall : walls_) nearest_m = std::min(nearest_m, distance_m(wall, point_m));
   return nearest_m;
 }
@@ -134,7 +134,8 @@ Pose2 World::randomFreePose(double minClearance_m, std::mt19937_64& random) cons
   {
     const double x = x_m(random), y = y_m(random);
     const Pose2 pose{x, y, phi_rad(random)};
-    if (isFree(pose.translation()) && clearance_m(pose.translation()) >= minClearance_m)
+    if (isFree(pose.translation()) &&
+        clearance_m(pose.translation(), minClearance_m, 0) >= minClearance_m)
       return pose;
   }
 }

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/eval/PairsFile.h>
-#include <psmks/sim/RayCasting.h>
+#include <psmks/sim/Laser.h>
 #include <tests/support/Program.h>
 
 #include <filesystem>
@@ -19,14 +19,14 @@ constexpr int kPairs = 3;
 /** Two scans of the simulated room, 20 cm and 5 degrees apart. */
 ScanPair roomPair(int id, std::mt19937_64& random)
 {
-  const World world = World::room();
+  const World world = World::smallRoom();
   const Pose2 T_world_ref = world.randomFreePose(0.8, random);
   ScanPair pair;
   pair.id = id;
   pair.T_ref_cur_true = {0.2, 0, degToRad(5)};
   pair.T_ref_cur_odometry = {0.22, 0.01, degToRad(5.5)};
-  pair.reference = castScan(world, T_world_ref, Scanner(), random).scan;
-  pair.current = castScan(world, T_world_ref * pair.T_ref_cur_true, Scanner(), random).scan;
+  pair.reference = castScan(world, T_world_ref, LaserOptions(), random).scan;
+  pair.current = castScan(world, T_world_ref * pair.T_ref_cur_true, LaserOptions(), random).scan;
   return pair;
 }
 
@@ -39,7 +39,7 @@ class PsmksBenchmark : public testing::Test
               testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(folder_);
     pairs_ = path("room.pairs.gz");
-    PairsWriter writer(pairs_, {Scanner().grid, Scanner().maxRange_m, kPairs});
+    PairsWriter writer(pairs_, {LaserOptions().grid, LaserOptions().maxRange_m, kPairs});
     std::mt19937_64 random(5);
     for (int id = 0; id < kPairs; ++id) writer.write(roomPair(id, random));
     writer.close();
@@ -159,7 +159,7 @@ TEST_F(PsmksBenchmark, AMissingOrForeignFileIsAnInputError)
 TEST_F(PsmksBenchmark, WhatWasReadBeforeTheDamageIsProcessed)
 {
   const std::string whole = path("whole.pairs"), cut = path("cut.pairs");
-  PairsWriter writer(whole, {Scanner().grid, Scanner().maxRange_m, kPairs});
+  PairsWriter writer(whole, {LaserOptions().grid, LaserOptions().maxRange_m, kPairs});
   std::mt19937_64 random(5);
   for (int id = 0; id < kPairs; ++id) writer.write(roomPair(id, random));
   writer.close();
@@ -175,7 +175,7 @@ TEST_F(PsmksBenchmark, WhatWasReadBeforeTheDamageIsProcessed)
 
 TEST_F(PsmksBenchmark, AFileWithoutPairsIsNothingToDo)
 {
-  PairsWriter(path("empty.pairs"), {Scanner().grid, Scanner().maxRange_m, 0}).close();
+  PairsWriter(path("empty.pairs"), {LaserOptions().grid, LaserOptions().maxRange_m, 0}).close();
   EXPECT_EQ(runProgram(kProgram + "pairs " + path("empty.pairs")).exitCode, 3);
 }
 

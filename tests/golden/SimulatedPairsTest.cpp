@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/core/Matcher.h>
-#include <psmks/sim/RayCasting.h>
+#include <psmks/sim/Laser.h>
 #include <tests/support/PoseMatcher.h>
 
 #include <ostream>
@@ -25,12 +25,13 @@ void PrintTo(const GoldenPair& pair, std::ostream* out) { *out << pair.name; }
 std::vector<GoldenPair> goldenPairs()
 {
   const Pose2 T_world_ref{-1.5, 2.3, 0.4};
-  return {{"RoomSmall", World::room(), 180, 181, 30, 0.01, T_world_ref, {0.10, 0.05, 0.05}},
-          {"RoomLarge", World::room(), 180, 181, 30, 0.01, T_world_ref, {0.60, -0.30, 0.50}},
-          {"RoomShortSighted", World::room(), 180, 361, 8, 0.01, T_world_ref, {0.20, 0.1, -0.2}},
-          {"RoomAllRound", World::room(), 360, 360, 30, 0.01, T_world_ref, {-0.40, 0.30, 0.80}},
-          {"ClutterFine", World::clutter(3), 270, 1081, 30, 0.005, T_world_ref, {0.3, 0.2, -0.3}},
-          {"ClutterNoisy", World::clutter(5), 270, 541, 30, 0.03, T_world_ref, {0.2, -0.2, 0.2}}};
+  return {
+      {"RoomSmall", World::smallRoom(), 180, 181, 30, 0.01, T_world_ref, {0.10, 0.05, 0.05}},
+      {"RoomLarge", World::smallRoom(), 180, 181, 30, 0.01, T_world_ref, {0.60, -0.30, 0.50}},
+      {"RoomShortSighted", World::smallRoom(), 180, 361, 8, 0.01, T_world_ref, {0.20, 0.1, -0.2}},
+      {"RoomAllRound", World::smallRoom(), 360, 360, 30, 0.01, T_world_ref, {-0.40, 0.30, 0.80}},
+      {"ClutterFine", World::smallClutter(3), 270, 1081, 30, 0.005, T_world_ref, {0.3, 0.2, -0.3}},
+      {"ClutterNoisy", World::smallClutter(5), 270, 541, 30, 0.03, T_world_ref, {0.2, -0.2, 0.2}}};
 }
 
 class SimulatedPairs : public testing::TestWithParam<GoldenPair>
@@ -47,8 +48,8 @@ TEST_P(SimulatedPairs, EndWithinFourSigmaOfTheTruth)
   constexpr unsigned kSeeds = 5;
   constexpr double kSigmas = 4;
   const GoldenPair& p = GetParam();
-  const Scanner scanner{BeamGrid::centered(degToRad(p.fieldOfView_deg), p.rays), p.maxRange_m,
-                        p.rangeSigma_m};
+  const LaserOptions scanner{BeamGrid::centered(degToRad(p.fieldOfView_deg), p.rays), p.maxRange_m,
+                             p.rangeSigma_m};
   ASSERT_TRUE(p.world.isFree(p.T_world_ref.translation()));
   const Matcher matcher;
   MatcherWorkspace workspace;

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/sim/RayCasting.h>
+#include <psmks/sim/Laser.h>
 #include <psmks/sim/World.h>
 
 #include <cmath>
@@ -30,25 +30,25 @@ const Eigen::Vector2d kOrigin_m(1, 2);
 TEST(World, ARayMeetsTheNearestWall)
 {
   const World world = roomWithBox();
-  const World::Hit box = world.cast({1, 2.5}, {1, 0}, 30);
+  const Hit box = world.cast({1, 2.5}, {1, 0}, 30, 0);
   EXPECT_DOUBLE_EQ(box.range_m, 2);
-  EXPECT_EQ(box.wall, 7);
+  EXPECT_EQ(box.object, 7);
 
-  const World::Hit below = world.cast({1, 1.5}, {1, 0}, 30);
+  const Hit below = world.cast({1, 1.5}, {1, 0}, 30, 0);
   EXPECT_DOUBLE_EQ(below.range_m, 5);
-  EXPECT_EQ(below.wall, 1);
+  EXPECT_EQ(below.object, 1);
 }
 
 TEST(World, ARayAtAnAngleMeetsItsWallExactly)
 {
-  const World::Hit hit = roomWithBox().cast(kOrigin_m, Eigen::Vector2d(-1, -1).normalized(), 30);
-  EXPECT_EQ(hit.wall, 3);
+  const Hit hit = roomWithBox().cast(kOrigin_m, Eigen::Vector2d(-1, -1).normalized(), 30, 0);
+  EXPECT_EQ(hit.object, 3);
   EXPECT_NEAR(hit.range_m, std::sqrt(2), 1e-12);
 }
 
 TEST(World, AWallBeyondTheMaximumRangeIsNothing)
 {
-  EXPECT_EQ(roomWithBox().cast({1, 1.5}, {1, 0}, 4.99).wall, World::Hit::kNothing);
+  EXPECT_EQ(roomWithBox().cast({1, 1.5}, {1, 0}, 4.99, 0).object, Hit::kNothing);
 }
 
 TEST(World, ALineIsSeenFromTheSensor)
@@ -70,8 +70,8 @@ TEST(World, FreeIsInsideTheRoomAndOutsideTheBox)
 
 TEST(World, ClearanceIsTheDistanceToTheNearestWall)
 {
-  EXPECT_DOUBLE_EQ(roomWithBox().clearance_m(kOrigin_m), 1);
-  EXPECT_NEAR(roomWithBox().clearance_m({2.7, 1.6}), 0.5, 1e-12);
+  EXPECT_DOUBLE_EQ(roomWithBox().clearance_m(kOrigin_m, 100, 0), 1);
+  EXPECT_NEAR(roomWithBox().clearance_m({2.7, 1.6}, 100, 0), 0.5, 1e-12);
 }
 
 TEST(World, RandomPosesKeepTheirClearance)
@@ -82,28 +82,28 @@ TEST(World, RandomPosesKeepTheirClearance)
   {
     const Pose2 pose = world.randomFreePose(0.4, random);
     EXPECT_TRUE(world.isFree(pose.translation()));
-    EXPECT_GE(world.clearance_m(pose.translation()), 0.4);
+    EXPECT_GE(world.clearance_m(pose.translation(), 100, 0), 0.4);
   }
 }
 
 TEST(World, TheRoomHas32WallsAndTheClutter68)
 {
-  EXPECT_EQ(World::room().walls().size(), 32U);
-  EXPECT_EQ(World::clutter(1).walls().size(), 68U);
+  EXPECT_EQ(World::smallRoom().walls().size(), 32U);
+  EXPECT_EQ(World::smallClutter(1).walls().size(), 68U);
 }
 
 TEST(World, ASeedAlwaysGivesTheSameClutter)
 {
-  EXPECT_EQ(World::clutter(3).walls().back().a, World::clutter(3).walls().back().a);
-  EXPECT_NE(World::clutter(3).walls().back().a, World::clutter(4).walls().back().a);
+  EXPECT_EQ(World::smallClutter(3).walls().back().a, World::smallClutter(3).walls().back().a);
+  EXPECT_NE(World::smallClutter(3).walls().back().a, World::smallClutter(4).walls().back().a);
 }
 
 TEST(RayCasting, EveryRayHasItsRangeAndItsWall)
 {
   std::mt19937_64 random(1);
-  const Scanner threeRays{BeamGrid(-kPi / 2, kPi / 2, 3), 4.5, 0};
+  const LaserOptions threeRays{BeamGrid(-kPi / 2, kPi / 2, 3), 4.5, 0};
   const SimulatedScan simulated = castScan(roomWithBox(), {1, 1.5, 0}, threeRays, random);
-  EXPECT_EQ(simulated.wallOfRay, (std::vector<int>{0, World::Hit::kNothing, 2}));
+  EXPECT_EQ(simulated.objectOfRay, (std::vector<int>{0, Hit::kNothing, 2}));
   EXPECT_NEAR(simulated.scan.range_m[0], 1.5, 1e-12);
   EXPECT_EQ(simulated.scan.range_m[1], 0);
   EXPECT_NEAR(simulated.scan.range_m[2], 2.5, 1e-12);
@@ -112,7 +112,7 @@ TEST(RayCasting, EveryRayHasItsRangeAndItsWall)
 TEST(RayCasting, NoiseHasTheScannersSigma)
 {
   std::mt19937_64 random(1);
-  Scanner scanner;
+  LaserOptions scanner;
   scanner.grid = BeamGrid::centered(0.001, 4001);
   const SimulatedScan simulated = castScan(roomWithBox(), {1, 2.5, 0}, scanner, random);
   double squares_m2 = 0;

@@ -1,0 +1,31 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/sim/Surroundings.h>
+#include <psmks/sim/World.h>
+
+#include <vector>
+
+namespace psmks
+{
+/** A world made fast to look up: its walls and points sorted into the cells of a uniform grid,
+ * which a ray visits in order until a hit lies before the next cell. Answers exactly as World does.
+ *
+ * Immutable: may serve several threads. */
+class WorldIndex : public Surroundings
+{
+ public:
+  static constexpr double kCell_m = 0.5;
+
+  explicit WorldIndex(World world);
+
+  const World& world() const { return world_; }
+
+  Hit cast(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction, double maxRange_m,
+           double time_s) const override;
+  double clearance_m(const Eigen::Vector2d& point_m, double limit_m, double time_s) const override;
+
+ private:
+  World world_;
+};
+}  // namespace psmks

@@ -1,0 +1,36 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/sim/Route.h>
+#include <psmks/sim/World.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** A world with the place where a robot starts and, where one is driven by hand, its route. */
+struct Site
+{
+  World world;
+  Pose2 T_world_start;
+  std::optional<Route> route;  //!< of the hand-driven runs (office, campus)
+};
+
+/** The names that makeSite() knows. */
+std::vector<std::string> siteNames();
+
+/** A world of the paper's kinds by name, with the paper's counts. The same seed gives the same
+ * world.
+ *
+ *  - `room` (a): 32 walls: a room of 24 x 18 m with 7 boxes parallel to it
+ *  - `clutter` (b): 130 walls: the same with 31 boxes at any angle and 2 free walls
+ *  - `curved` (c): 130 walls and 15,114 points on round and thin objects, 33 x 25 m
+ *  - `corridors` (d): 163 walls: corridors of 1.5 m around two blocks, with recesses, 34 x 20 m
+ *  - `office`: 139 walls on 200 m^2, with a route of 94 m and 8 turns
+ *  - `campus`: 507 walls on 1,200 m^2 with long corridors, with a route of 134 m and 10 turns
+ *
+ *  @throws std::invalid_argument naming the known ones for any other name */
+Site makeSite(const std::string& name, unsigned seed);
+}  // namespace psmks
