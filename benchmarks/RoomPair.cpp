@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <benchmarks/RoomPair.h>
 #include <psmks/sim/Laser.h>
+#include <psmks/sim/World.h>
 
 namespace psmks
 {

@@ -6,6 +6,7 @@
 #include <psmks/eval/SegmentationQuality.h>
 #include <psmks/eval/Statistics.h>
 #include <psmks/sim/Laser.h>
+#include <psmks/sim/World.h>
 
 namespace psmks
 {

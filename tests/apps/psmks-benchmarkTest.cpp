@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <psmks/eval/PairsFile.h>
 #include <psmks/sim/Laser.h>
+#include <psmks/sim/World.h>
 #include <tests/support/Program.h>
 
 #include <filesystem>

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <psmks/core/Matcher.h>
 #include <psmks/sim/Laser.h>
+#include <psmks/sim/World.h>
 #include <tests/support/PoseMatcher.h>
 
 #include <ostream>
