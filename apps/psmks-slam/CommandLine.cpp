@@ -28,8 +28,8 @@ void addFlags(CLI::App& app, CommandLine& c)
       ->check(CLI::IsMember({"psmks", "psmks-paper", "icp-classic", "icp-lm", "odometry"}))
       ->capture_default_str();
   app.add_option("-r,--reference", c.reference, "the scan to match against")
-      ->type_name("sequential|keyframe")
-      ->check(CLI::IsMember({"sequential", "keyframe"}));
+      ->type_name("sequential|keyframe|map")
+      ->check(CLI::IsMember({"sequential", "keyframe", "map"}));
   app.add_option("-s,--sensor", c.sensor, "scanner to use; default: that of the first scan")
       ->type_name("LABEL");
   app.add_option("-o,--output", c.output, "folder for the results; default: the log's name + -slam")

@@ -17,9 +17,9 @@ void listFields(OptionTable& table, ReferenceOptions& o)
 {
   table.beginSection("reference", "Which scan a new scan is matched against.");
   table.add(
-      "choice", o.choice, {"sequential", "keyframe"},
+      "choice", o.choice, {"sequential", "keyframe", "map"},
       "sequential: the last scan a trigger apart; keyframe: the same for as long as enough of "
-      "it is seen");
+      "it is seen; map: of all keyframes around it the one whose pose is known best");
   table.add("match_every_scan", o.matchEveryScan,
             "false: scans nearer to the reference than the trigger go by odometry (the paper)");
   table.add("trigger_distance_m", o.triggerDistance_m, Unit::Metre, 0, 100,
@@ -34,6 +34,12 @@ void listFields(OptionTable& table, ReferenceOptions& o)
             "keyframe: fewer associated rays and the scan replaces the reference");
   table.add("keyframe_min_score", o.keyframeMinScore, Unit::None, 0, 1,
             "keyframe: a smaller share of rays explained and the scan replaces the reference");
+  table.add("map_distance_m", o.mapDistance_m, Unit::Metre, 0, 100,
+            "map: a keyframe farther away is no reference");
+  table.add("map_angle_deg", o.mapAngle_rad, Unit::Degree, 0, degToRad(180),
+            "map: a keyframe turned farther away is no reference");
+  table.add("map_min_overlap", o.mapMinOverlap, Unit::None, 0, 1,
+            "map: a keyframe that saw a smaller share of the scan is no reference");
   table.add(
       "retry_last_scan", o.retryLastScan,
       "a scan that fails against the reference is matched against the last matched scan, which "
@@ -51,6 +57,16 @@ bool ReferencePolicy::isKeyframeLeft(const MatchResult& match, const Pose2& T_re
 {
   return isBeyond(T_ref_cur, options_.keyframeDistance_m, options_.keyframeAngle_rad) ||
          match.associations < options_.keyframeMinRays || match.score < options_.keyframeMinScore;
+}
+
+bool ReferencePolicy::isCandidate(const Pose2& T_keyframe_cur) const
+{
+  return !isBeyond(T_keyframe_cur, options_.mapDistance_m, options_.mapAngle_rad);
+}
+
+bool ReferencePolicy::isCovered(const Pose2& T_keyframe_cur) const
+{
+  return !isBeyond(T_keyframe_cur, options_.keyframeDistance_m, options_.keyframeAngle_rad);
 }
 
 bool ReferencePolicy::isMatched(const Pose2& T_ref_cur) const

@@ -12,7 +12,8 @@ enum class ReferenceChoice
 {
   Sequential,  //!< the last matched scan from which the robot had moved or turned far enough
                //!< (paper)
-  Keyframe     //!< the same scan for as long as enough of it is still seen
+  Keyframe,    //!< the same scan for as long as enough of it is still seen
+  Map          //!< of all keyframes that share enough with it, the one whose pose is known best
 };
 
 struct ReferenceOptions
@@ -25,8 +26,11 @@ struct ReferenceOptions
   double keyframeAngle_rad = degToRad(40);
   int keyframeMinRays = 30;        //!< associated
   double keyframeMinScore = 0.50;  //!< MatchResult::score
-  bool retryLastScan = true;       //!< after a failure, against the last scan that matched
-  int maxFailures = 5;             //!< in a row, then the reference is given up
+  double mapDistance_m = 4.0;
+  double mapAngle_rad = degToRad(60);
+  double mapMinOverlap = 0.5;  //!< see overlap()
+  bool retryLastScan = true;   //!< after a failure, against the last scan that matched
+  int maxFailures = 5;         //!< in a row, then the reference is given up
 };
 
 void listFields(OptionTable& table, ReferenceOptions& options);
@@ -51,6 +55,17 @@ class ReferencePolicy
 
   /** Whether a scan whose match failed is matched against the scan before. */
   bool isRetried() const { return options_.retryLastScan; }
+
+  /** Map: whether a keyframe at this guessed pose may serve as the reference of a scan. */
+  bool isCandidate(const Pose2& T_keyframe_cur) const;
+
+  /** Map: whether a keyframe makes another one at this pose of a scan unnecessary. */
+  bool isCovered(const Pose2& T_keyframe_cur) const;
+
+  /** Whether so much of a scan is seen by a keyframe that it can serve as the reference. */
+  bool isEnough(double overlap) const { return overlap >= options_.mapMinOverlap; }
+
+  bool usesMap() const { return options_.choice == ReferenceChoice::Map; }
 
   /** Whether a scan becomes the reference after its match.
    *  @param failuresInARow matches that failed against this reference, this one included */

@@ -1,6 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Overlap.h>
 #include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/TrajectoryBuilder.h>
+
+#include <algorithm>
 
 namespace psmks
 {
@@ -39,11 +42,62 @@ const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
   if (!isFirst) place(current, odometry);
   scans_.push_back(std::move(current));
 
-  const auto& matches = scans_.back().matches;
-  const bool replaces = !matches.empty() && policy_.isReplaced(matches.back().result,
-                                                               T_ref_last_.pose, failuresInARow_);
-  if (isFirst || replaces) makeReference(scans_.size() - 1);
+  if (isFirst || isNewReference()) makeReference(scans_.size() - 1);
   return scans_.back();
+}
+
+bool TrajectoryBuilder::isNewReference() const
+{
+  const PosedScan& current = scans_.back();
+  if (current.matches.empty()) return false;
+  if (policy_.usesMap() && current.isMatched()) return !isCovered(current);
+  return policy_.isReplaced(current.matches.back().result, T_ref_last_.pose, failuresInARow_);
+}
+
+bool TrajectoryBuilder::isCovered(const PosedScan& current) const
+{
+  const auto covers = [&](std::size_t keyframe)
+  {
+    const Pose2 T_keyframe_cur =
+        scans_[keyframe].T_world_robot.pose.inverse() * current.T_world_robot.pose;
+    return policy_.isCovered(T_keyframe_cur) && isSeenBy(keyframe, current);
+  };
+  return std::any_of(keyframes_.begin(), keyframes_.end(), covers);
+}
+
+bool TrajectoryBuilder::isSeenBy(std::size_t keyframe, const PosedScan& current) const
+{
+  const PosedScan& reference = scans_[keyframe];
+  const Pose2 T_ref_cur = reference.T_world_sensor().inverse() * current.T_world_sensor();
+  return policy_.isEnough(overlap(reference.scan, current.scan, T_ref_cur));
+}
+
+/** Variance that the pose of a keyframe hands on to a scan matched against it. */
+double TrajectoryBuilder::doubt_m2(std::size_t keyframe, const PosedScan& current) const
+{
+  const UncertainPose& T_world_keyframe = scans_[keyframe].T_world_robot;
+  const Eigen::Matrix3d& covariance = T_world_keyframe.covariance;
+  const Pose2 T_keyframe_cur = T_world_keyframe.pose.inverse() * current.T_world_robot.pose;
+  return covariance(0, 0) + covariance(1, 1) +
+         covariance(2, 2) * T_keyframe_cur.translation().squaredNorm();
+}
+
+std::optional<std::size_t> TrajectoryBuilder::bestKeyframe(const PosedScan& current) const
+{
+  std::optional<std::size_t> best;
+  double bestDoubt_m2 = 0;
+  for (const std::size_t keyframe : keyframes_)
+  {
+    const Pose2 T_keyframe_cur =
+        scans_[keyframe].T_world_robot.pose.inverse() * current.T_world_robot.pose;
+    if (!policy_.isCandidate(T_keyframe_cur)) continue;
+    const double candidateDoubt_m2 = doubt_m2(keyframe, current);
+    if (best && candidateDoubt_m2 >= bestDoubt_m2) continue;
+    if (!isSeenBy(keyframe, current)) continue;
+    best = keyframe;
+    bestDoubt_m2 = candidateDoubt_m2;
+  }
+  return best;
 }
 
 void TrajectoryBuilder::place(PosedScan& current, const std::optional<Pose2>& odometry)
@@ -52,6 +106,12 @@ void TrajectoryBuilder::place(PosedScan& current, const std::optional<Pose2>& od
   current.T_last_robot = motion;
   current.T_world_odometry = scans_.back().T_world_odometry * odometry.value_or(Pose2());
 
+  if (policy_.usesMap())
+  {
+    current.T_world_robot = composed(scans_.back().T_world_robot, motion);
+    const auto keyframe = bestKeyframe(current);
+    if (keyframe && *keyframe != reference_) returnTo(*keyframe);
+  }
   UncertainPose T_ref_cur = composed(T_ref_last_, motion);
   const bool failed = policy_.isMatched(T_ref_cur.pose) && !tryMatch(current, T_ref_cur);
   if (failed && policy_.isRetried() && scans_.back().isMatched() && !scans_.back().isReference)
@@ -104,9 +164,21 @@ ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, const Uncertai
 void TrajectoryBuilder::makeReference(std::size_t index)
 {
   scans_[index].isReference = true;
+  keyframes_.push_back(index);
   matcher_->setReference(scans_[index].scan);
   reference_ = index;
   T_ref_last_ = UncertainPose();
   failuresInARow_ = 0;
+}
+
+/** The way here and the way there may share errors; taken as independent they make the guess less
+ * certain than it is, which does no harm. */
+void TrajectoryBuilder::returnTo(std::size_t keyframe)
+{
+  const PosedScan& reference = scans_[keyframe];
+  matcher_->setReference(reference.scan);
+  reference_ = keyframe;
+  T_ref_last_ =
+      toUncertainPose(toMrpt(scans_.back().T_world_robot) - toMrpt(reference.T_world_robot));
 }
 }  // namespace psmks

@@ -45,7 +45,7 @@ struct PosedScan
  * A scan is matched against the reference that ReferencePolicy keeps, from the last known pose
  * moved on by the odometry, with the covariance of both as a prior. Where the match fails, that
  * pose is what the scan gets. Where a scan comes without odometry, the last motion is assumed once
- * more.
+ * more. With a map, the reference is chosen anew for every scan among all that were references.
  *
  *     world --T--> reference robot --T_ref_cur--> last robot --odometry--> robot */
 class TrajectoryBuilder
@@ -64,16 +64,23 @@ class TrajectoryBuilder
   const std::vector<PosedScan>& scans() const { return scans_; }
 
  private:
+  std::optional<std::size_t> bestKeyframe(const PosedScan& current) const;
+  bool isCovered(const PosedScan& current) const;
+  bool isSeenBy(std::size_t keyframe, const PosedScan& current) const;
+  double doubt_m2(std::size_t keyframe, const PosedScan& current) const;
   void place(PosedScan& current, const std::optional<Pose2>& odometry);
   bool tryMatch(PosedScan& current, UncertainPose& T_ref_cur);
   UncertainPose measuredMotion(const std::optional<Pose2>& odometry) const;
   ReferenceMatch match(const PosedScan& current, const UncertainPose& guess);
+  bool isNewReference() const;
   void makeReference(std::size_t index);
+  void returnTo(std::size_t keyframe);
 
   std::unique_ptr<PairMatcher> matcher_;
   ReferencePolicy policy_;
   OdometryOptions odometryOptions_;
   std::vector<PosedScan> scans_;
+  std::vector<std::size_t> keyframes_;  //!< the scans that are or were references
   std::size_t reference_ = 0;
   UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the reference's
   int failuresInARow_ = 0;

@@ -1,0 +1,53 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Overlap.h>
+
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+// Every so many rays are looked at: a share needs no more.
+constexpr int kStride = 4;
+
+// How far a return may lie from what the reference saw: the pose is a guess, and the farther the
+// return the more a wrong heading moves it.
+constexpr double kTolerance_m = 0.3;
+constexpr double kTolerancePerMetre = 0.05;
+
+bool isReturn(const Scan& scan, int ray)
+{
+  const auto i = static_cast<std::size_t>(ray);
+  const double range_m = scan.range_m[i];
+  const bool flaggedValid = scan.valid.empty() || scan.valid[i] != 0;
+  const bool inReach = scan.maxRange_m <= 0 || range_m < scan.maxRange_m;
+  return flaggedValid && std::isfinite(range_m) && range_m > 0 && inReach;
+}
+
+bool isSeen(const Scan& reference, const Eigen::Vector2d& point_m)
+{
+  const double range_m = point_m.norm();
+  const double index = reference.grid.index(std::atan2(point_m.y(), point_m.x()));
+  if (index < 0 || index > reference.grid.count() - 1) return false;
+  const double tolerance_m = kTolerance_m + kTolerancePerMetre * range_m;
+  for (const int ray : {static_cast<int>(std::floor(index)), static_cast<int>(std::ceil(index))})
+    if (isReturn(reference, ray) &&
+        std::abs(reference.range_m[static_cast<std::size_t>(ray)] - range_m) < tolerance_m)
+      return true;
+  return false;
+}
+}  // namespace
+
+double overlap(const Scan& reference, const Scan& current, const Pose2& T_ref_cur)
+{
+  int returns = 0, seen = 0;
+  for (int ray = 0; ray < current.grid.count(); ray += kStride)
+  {
+    if (!isReturn(current, ray)) continue;
+    const double range_m = current.range_m[static_cast<std::size_t>(ray)];
+    ++returns;
+    seen += isSeen(reference, T_ref_cur * (range_m * current.grid.direction(ray))) ? 1 : 0;
+  }
+  return returns > 0 ? static_cast<double>(seen) / returns : 0;
+}
+}  // namespace psmks
