@@ -1,26 +1,99 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/sim/Laser.h>
 
+#include <cmath>
+
 namespace psmks
 {
+namespace
+{
+// A beam is looked at along so many thin rays: its share on either side of an edge to one eighth.
+constexpr int kRaysPerBeam = 9;
+
+/** One beam of a scan, from its own place at its own time. */
+struct Beam
+{
+  const Surroundings& surroundings;
+  Eigen::Vector2d origin_m, direction;
+  double time_s, maxRange_m;
+
+  Hit hit(double aside_rad) const
+  {
+    const Eigen::Vector2d left(-direction.y(), direction.x());
+    return surroundings.cast(origin_m, std::cos(aside_rad) * direction + std::sin(aside_rad) * left,
+                             maxRange_m, time_s);
+  }
+
+  /** Mean range over the width of a beam whose middle returns; rays that meet nothing light
+   *  nothing. */
+  double meanRange_m(double divergence_rad) const
+  {
+    double sum_m = 0;
+    int returns = 0;
+    for (int ray = 0; ray < kRaysPerBeam; ++ray)
+    {
+      const Hit aside = hit(divergence_rad * (ray / (kRaysPerBeam - 1.0) - 0.5));
+      if (aside.object == Hit::kNothing) continue;
+      sum_m += aside.range_m;
+      ++returns;
+    }
+    return sum_m / returns;
+  }
+};
+
+/** What the scanner makes of a beam; as built: no return. */
+struct Reading
+{
+  double range_m = 0, noise_m = 0;
+  int object = Hit::kNothing;
+};
+
+double rounded_m(double range_m, double quantum_m)
+{
+  return quantum_m > 0 ? std::round(range_m / quantum_m) * quantum_m : range_m;
+}
+
+bool isLost(double share, std::mt19937_64& random)
+{
+  return share > 0 && std::bernoulli_distribution(share)(random);
+}
+
+// The noise of a beam without return is drawn all the same, so that the other rays of a scan have
+// the same noise at every maximum range.
+Reading read(const Beam& beam, const LaserOptions& laser, std::normal_distribution<double>& noise,
+             std::mt19937_64& random)
+{
+  const double noise_m = noise(random);
+  const bool lost = isLost(laser.dropOutShare, random);
+  const Hit hit = beam.hit(0);
+  if (lost || hit.object == Hit::kNothing) return {};
+  const double returned_m =
+      laser.beamDivergence_rad > 0 ? beam.meanRange_m(laser.beamDivergence_rad) : hit.range_m;
+  const double range_m = rounded_m(returned_m + noise_m, laser.quantum_m);
+  return {range_m, range_m - hit.range_m, hit.object};
+}
+}  // namespace
+
 SimulatedScan castScan(const Surroundings& surroundings, const SensorMotion& T_world_sensor,
                        double time_s, const LaserOptions& laser, std::mt19937_64& random)
 {
   SimulatedScan simulated;
   simulated.scan.grid = laser.grid;
   simulated.scan.maxRange_m = laser.maxRange_m;
-  const Pose2 pose = T_world_sensor(0);
-  const Eigen::Matrix2d R_world_sensor = pose.rotation();
+  simulated.scan.sweepDuration_s = laser.sweepDuration_s;
+  const int rays = laser.grid.count();
+  const double betweenRays_s = rays > 1 ? laser.sweepDuration_s / (rays - 1) : 0;
   std::normal_distribution<double> noise(0, laser.rangeSigma_m);
-  for (int ray = 0; ray < laser.grid.count(); ++ray)
+  for (int ray = 0; ray < rays; ++ray)
   {
-    const Hit hit = surroundings.cast(
-        pose.translation(), R_world_sensor * laser.grid.direction(ray), laser.maxRange_m, time_s);
-    const bool returned = hit.object != Hit::kNothing;
-    const double noise_m = noise(random);
-    simulated.scan.range_m.push_back(returned ? hit.range_m + noise_m : 0);
-    simulated.noise_m.push_back(returned ? noise_m : 0);
-    simulated.objectOfRay.push_back(hit.object);
+    const double sinceFirst_s = ray * betweenRays_s;
+    const Pose2 pose = T_world_sensor(sinceFirst_s);
+    const Beam beam{surroundings, pose.translation(), pose.rotation() * laser.grid.direction(ray),
+                    time_s + sinceFirst_s, laser.maxRange_m};
+    const Reading reading = read(beam, laser, noise, random);
+    simulated.scan.range_m.push_back(reading.range_m);
+    simulated.noise_m.push_back(reading.noise_m);
+    simulated.objectOfRay.push_back(reading.object);
   }
   return simulated;
 }

@@ -19,8 +19,8 @@ struct LaserOptions
   double rangeSigma_m = 0.01;     //!< Gaussian, of every return
   double quantum_m = 0;           //!< ranges are multiples of it; 0 = exact
   double dropOutShare = 0;        //!< share of the returns that are lost, 0 to 1
-  double beamDivergence_rad = 0;  //!< full width of a beam; one that meets two objects or none
-                                  //!< gives a mixed pixel between both ranges; 0 = none
+  double beamDivergence_rad = 0;  //!< full width of a beam: it returns the mean range of all that
+                                  //!< it lights, at an edge a mixed pixel in the air; 0 = thin
   double sweepDuration_s = 0;  //!< from the first to the last ray, each from its own pose
 };
 
@@ -35,7 +35,7 @@ struct SimulatedScan
 /** Pose of the sensor so many seconds after the first ray. */
 using SensorMotion = std::function<Pose2(double sinceFirstRay_s)>;
 
-/** A scan whose first ray leaves at time_s.
+/** A scan whose first ray leaves at time_s since the start; the stamp is left to the caller.
  *  @param random its own engine, so that the same seed gives the same scan */
 SimulatedScan castScan(const Surroundings& surroundings, const SensorMotion& T_world_sensor,
                        double time_s, const LaserOptions& laser, std::mt19937_64& random);

@@ -11,6 +11,9 @@ namespace psmks
 struct WheelSpeeds
 {
   double left_mps = 0, right_mps = 0;
+
+  /** The motion of the robot while its wheels keep these speeds: an arc. */
+  Pose2 motion(double track_m, double duration_s) const;
 };
 
 /** A robot with differential drive; the defaults are a Pioneer 3-AT's. */
@@ -29,7 +32,7 @@ class Robot
 {
  public:
   Robot(const RobotOptions& options, const Pose2& T_world_start)
-      : options_(options), truth_(T_world_start)
+      : options_(options), truth_(T_world_start), truthBefore_(T_world_start)
   {
   }
 
@@ -37,10 +40,8 @@ class Robot
    * accelerate, the odometry counts their speeds, the ground adds its noise. */
   void advance(const WheelSpeeds& commanded, std::mt19937_64& random);
 
-  /** Where a noise step would lead without noise, both wheels at their present speeds. */
-  Pose2 predicted(double ahead_s) const;
-
-  /** A collision: the robot stands where it was before the last step, wheels at rest. */
+  /** A collision: robot and odometry are back where they were before the last step, wheels at
+   * rest. */
   void stop();
 
   const RobotOptions& options() const { return options_; }
@@ -50,7 +51,7 @@ class Robot
 
  private:
   RobotOptions options_;
-  Pose2 truth_, beforeLastStep_, odometry_;
+  Pose2 truth_, truthBefore_, odometry_, odometryBefore_;
   WheelSpeeds speeds_;
 };
 }  // namespace psmks

@@ -13,7 +13,7 @@ namespace psmks
 struct SimulationOptions
 {
   RobotOptions robot;
-  LaserOptions laser;
+  LaserOptions laser;         //!< its sweep takes at most a scan period
   Pose2 T_robot_sensor;       //!< default: the scanner at the centre of the robot
   double scanPeriod_s = 0.1;  //!< a multiple of the robot's noise step
   double duration_s = 600;
@@ -26,7 +26,7 @@ struct RecordedScan
 {
   SimulatedScan simulated;  //!< with its stamp
   Pose2 T_world_robot;      //!< true, at the first ray
-  Pose2 T_start_odometry;   //!< by the wheels, since the start
+  Pose2 T_start_odometry;   //!< by the wheels, since the start, at the first ray
   bool bumped = false;      //!< the robot touched something since the scan before
 };
 
@@ -36,13 +36,15 @@ struct Recording
   Pose2 T_robot_sensor;
   std::vector<RecordedScan> scans;
 
-  double distance_m() const;  //!< driven in truth
-  double turns() const;       //!< sum of all rotation in truth, in turns of 360 degrees
-  int collisions() const;
-  double longestStandstill_s() const;  //!< within 5 cm and 5 degrees of one place
+  double distance_m() const;           //!< driven in truth
+  double turns() const;                //!< sum of all rotation in truth, in turns of 360 degrees
+  int collisions() const;              //!< one that lasts counts once
+  double longestStandstill_s() const;  //!< within 20 cm of one place, turning or not
 };
 
-/** Drives a robot through its surroundings until the time is up or the driver is done.
+/** Drives a robot through its surroundings until the time is up or the driver is done: steers once
+ * a scan, as soon as its sweep is over. A step that leads closer to something than the robot's
+ * radius is not taken, and the robot stops.
  *  @param progress called after each scan with the share of the time that is over, 0 to 1 */
 Recording simulate(const Surroundings& surroundings, const Pose2& T_world_start, Driver& driver,
                    const SimulationOptions& options,
