@@ -1,6 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/sim/Disc.h>
+
 #include <Eigen/Core>
 #include <vector>
 
@@ -15,5 +17,7 @@ struct MovingObject
 
   /** Where its centre is. */
   Eigen::Vector2d place_m(double time_s) const;
+
+  Disc disc(double time_s) const { return {place_m(time_s), radius_m}; }
 };
 }  // namespace psmks

@@ -11,6 +11,15 @@ struct Hit
   static constexpr int kNothing = -1;  //!< no object within the range
   double range_m = 0;                  //!< the range asked for where nothing was met
   int object = kNothing;               //!< see World::Object; any number >= 0 elsewhere
+
+  /** Takes over what else the ray meets where that is nearer; of two things at one range the one
+   * with the lower number counts, in whatever order they come. */
+  void take(double otherRange_m, int otherObject)
+  {
+    const bool nearer = otherRange_m < range_m;
+    if (nearer || (otherRange_m == range_m && otherObject < object))
+      *this = {otherRange_m, otherObject};
+  }
 };
 
 /** What a simulated robot finds around itself: the interface of everything one can drive in. */

@@ -17,14 +17,14 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** Range at which a ray meets a wall, infinity where it does not.
- *
- * origin + range * direction = a + share * (b - a), 0 <= share <= 1; solved by crossing both sides
- * with (b - a) and with direction. */
-double rangeTo_m(const World::Wall& wall, const Eigen::Vector2d& origin_m,
-                 const Eigen::Vector2d& direction)
+}  // namespace
+
+// origin + range * direction = a + share * (b - a), 0 <= share <= 1; solved by crossing both sides
+// with (b - a) and with direction.
+double World::Wall::rangeAlong_m(const Eigen::Vector2d& origin_m,
+                                 const Eigen::Vector2d& direction) const
 {
-  const Eigen::Vector2d along = wall.b - wall.a, toWall = wall.a - origin_m;
+  const Eigen::Vector2d along = b - a, toWall = a - origin_m;
   const double slope = cross(direction, along);
   const double range_m = cross(toWall, along) / slope;
   const double share = cross(toWall, direction) / slope;
@@ -32,13 +32,14 @@ double rangeTo_m(const World::Wall& wall, const Eigen::Vector2d& origin_m,
   return meets ? range_m : std::numeric_limits<double>::infinity();
 }
 
-double distance_m(const World::Wall& wall, const Eigen::Vector2d& point_m)
+double World::Wall::distance_m(const Eigen::Vector2d& point_m) const
 {
-  const Eigen::Vector2d along = wall.b - wall.a;
-  const double share = std::clamp((point_m - wall.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (wall.a + share * along - point_m).norm();
+  const Eigen::Vector2d along = b - a;
+  const double length2_m2 = along.squaredNorm();
+  const double share =
+      length2_m2 > 0 ? std::clamp((point_m - a).dot(along) / length2_m2, 0.0, 1.0) : 0;
+  return (a + share * along - point_m).norm();
 }
-}  // namespace
 
 //   +--------------------------------------------+  11 m
 //   |    +----+          +--+                    |
@@ -82,16 +83,35 @@ World World::smallClutter(unsigned seed)
   return world;
 }
 
+int World::objectOf(const Point& point) const
+{
+  if (point.circle == Point::kNoCircle) return kLonePoint;
+  return static_cast<int>(walls_.size()) + point.circle;
+}
+
+int World::objectOfMoving(std::size_t movingObject) const
+{
+  return static_cast<int>(walls_.size() + circles_.size() + movingObject);
+}
+
 Hit World::cast(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction,
-                double maxRange_m, double /*time_s*/) const
+                double maxRange_m, double time_s) const
 {
   Hit nearest{maxRange_m, Hit::kNothing};
   for (std::size_t w = 0; w < walls_.size(); ++w)
-  {
-    const double range_m = rangeTo_m(walls_[w], origin_m, direction);
-    if (range_m < nearest.range_m) nearest = {range_m, static_cast<int>(w)};
-  }
-  return nearest;
+    nearest.take(walls_[w].rangeAlong_m(origin_m, direction), static_cast<int>(w));
+  for (const Point& point : points_)
+    nearest.take(point.disc().rangeAlong_m(origin_m, direction), objectOf(point));
+  return castAtMoving(origin_m, direction, nearest, time_s);
+}
+
+Hit World::castAtMoving(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction,
+                        const Hit& nearest, double time_s) const
+{
+  Hit hit = nearest;
+  for (std::size_t i = 0; i < movingObjects_.size(); ++i)
+    hit.take(movingObjects_[i].disc(time_s).rangeAlong_m(origin_m, direction), objectOfMoving(i));
+  return hit;
 }
 
 Line World::lineFrom(int wall, const Pose2& T_world_sensor) const
@@ -104,10 +124,21 @@ Line World::lineFrom(int wall, const Pose2& T_world_sensor) const
   return line.transformed(T_world_sensor.inverse());
 }
 
-double World::clearance_m(const Eigen::Vector2d& point_m, double limit_m, double /*time_s*/) const
+double World::clearance_m(const Eigen::Vector2d& point_m, double limit_m, double time_s) const
 {
   double nearest_m = limit_m;
-  for (const Wall& wall : walls_) nearest_m = std::min(nearest_m, distance_m(wall, point_m));
+  for (const Wall& wall : walls_) nearest_m = std::min(nearest_m, wall.distance_m(point_m));
+  for (const Point& point : points_)
+    nearest_m = std::min(nearest_m, point.disc().distance_m(point_m));
+  return clearanceOfMoving_m(point_m, nearest_m, time_s);
+}
+
+double World::clearanceOfMoving_m(const Eigen::Vector2d& point_m, double limit_m,
+                                  double time_s) const
+{
+  double nearest_m = limit_m;
+  for (const MovingObject& object : movingObjects_)
+    nearest_m = std::min(nearest_m, object.disc(time_s).distance_m(point_m));
   return nearest_m;
 }
 
@@ -116,7 +147,7 @@ double World::clearance_m(const Eigen::Vector2d& point_m, double limit_m, double
 bool World::isFree(const Eigen::Vector2d& point_m) const
 {
   const auto crosses = [&point_m](const Wall& wall)
-  { return std::isfinite(rangeTo_m(wall, point_m, Eigen::Vector2d::UnitX())); };
+  { return std::isfinite(wall.rangeAlong_m(point_m, Eigen::Vector2d::UnitX())); };
   return std::count_if(walls_.begin(), walls_.end(), crosses) % 2 == 1;
 }
 
@@ -150,5 +181,20 @@ void World::addBox(const Eigen::Vector2d& centre_m, const Eigen::Vector2d& size_
       T_world_box * Eigen::Vector2d(-half_m.x(), half_m.y())};
   for (std::size_t c = 0; c < corners.size(); ++c)
     walls_.push_back({corners[c], corners[(c + 1) % corners.size()]});
+}
+
+void World::addArc(const Circle& circle, double first_rad, double last_rad, int points)
+{
+  const int index = static_cast<int>(circles_.size());
+  circles_.push_back(circle);
+  constexpr double kSameAngle_rad = 1e-9;
+  const bool closed = std::abs(last_rad - first_rad) > 2 * kPi - kSameAngle_rad;
+  const double step_rad = (last_rad - first_rad) / std::max(1, closed ? points : points - 1);
+  for (int i = 0; i < points; ++i)
+  {
+    const double angle_rad = first_rad + i * step_rad;
+    const Eigen::Vector2d outward(std::cos(angle_rad), std::sin(angle_rad));
+    points_.push_back({circle.centre_m + circle.radius_m * outward, index});
+  }
 }
 }  // namespace psmks

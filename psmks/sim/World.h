@@ -3,6 +3,7 @@
 
 #include <psmks/core/Line.h>
 #include <psmks/core/Pose2.h>
+#include <psmks/sim/Disc.h>
 #include <psmks/sim/MovingObject.h>
 #include <psmks/sim/Surroundings.h>
 
@@ -20,6 +21,12 @@ class World : public Surroundings
   struct Wall
   {
     Eigen::Vector2d a, b;
+
+    /** Range at which a ray meets it, infinity where it does not.
+     *  @param direction unit vector */
+    double rangeAlong_m(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction) const;
+
+    double distance_m(const Eigen::Vector2d& point_m) const;
   };
 
   /** Some of the points may lie on a common circle. */
@@ -35,6 +42,8 @@ class World : public Surroundings
     static constexpr int kNoCircle = -1;
     Eigen::Vector2d centre_m;
     int circle = kNoCircle;  //!< index into circles()
+
+    Disc disc() const { return {centre_m, kPointRadius_m}; }
   };
 
   static constexpr double kPointRadius_m = 0.01;
@@ -58,9 +67,19 @@ class World : public Surroundings
   const std::vector<Point>& points() const { return points_; }
   const std::vector<MovingObject>& movingObjects() const { return movingObjects_; }
 
+  /** The number that a hit on one of them has. */
+  int objectOf(const Point& point) const;
+  int objectOfMoving(std::size_t movingObject) const;
+
   Hit cast(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction, double maxRange_m,
            double time_s) const override;
   double clearance_m(const Eigen::Vector2d& point_m, double limit_m, double time_s) const override;
+
+  /** The same for the moving objects alone.
+   *  @param nearest what the ray has met so far, taken over where nothing is nearer */
+  Hit castAtMoving(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction,
+                   const Hit& nearest, double time_s) const;
+  double clearanceOfMoving_m(const Eigen::Vector2d& point_m, double limit_m, double time_s) const;
 
   /** The line that a wall lies on as a sensor there sees it, without covariance. */
   Line lineFrom(int wall, const Pose2& T_world_sensor) const;
@@ -81,7 +100,8 @@ class World : public Surroundings
     points_.push_back({centre_m, Point::kNoCircle});
   }
 
-  /** Adds points on an arc of a circle, evenly spaced from one angle to the other. */
+  /** Adds points on an arc of a circle, evenly spaced from one angle to the other, both ends
+   * included; on a full turn the last point, which would meet the first one, is left out. */
   void addArc(const Circle& circle, double first_rad, double last_rad, int points);
 
   void addMovingObject(MovingObject object) { movingObjects_.push_back(std::move(object)); }

@@ -1,0 +1,51 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+
+namespace psmks
+{
+/** A rectangle of the plane in square cells, numbered row by row. */
+class UniformGrid
+{
+ public:
+  /** One cell about the origin. */
+  UniformGrid() = default;
+
+  /** Covers the rectangle between two corners.
+   *  @param cell_m at least; doubled until the cells are no more than kMaxCells */
+  UniformGrid(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_m, double cell_m);
+
+  static constexpr int kMaxCells = 1 << 22;
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  int cells() const { return columns_ * rows_; }
+  double cell_m() const { return cell_m_; }
+  int cell(int column, int row) const { return row * columns_ + column; }
+
+  const Eigen::Vector2d& low_m() const { return low_m_; }
+  Eigen::Vector2d high_m() const { return low_m_ + cell_m_ * Eigen::Vector2d(columns_, rows_); }
+
+  /** Of the cell. */
+  Eigen::Vector2d centre_m(int column, int row) const
+  {
+    return low_m_ + cell_m_ * Eigen::Vector2d(column + 0.5, row + 0.5);
+  }
+
+  /** Of a place, the nearest one where it lies outside. */
+  int column(double x_m) const { return clamped((x_m - low_m_.x()) / cell_m_, columns_); }
+  int row(double y_m) const { return clamped((y_m - low_m_.y()) / cell_m_, rows_); }
+
+ private:
+  static int clamped(double position, int count)
+  {
+    return static_cast<int>(std::clamp(position, 0.0, count - 1.0));
+  }
+
+  Eigen::Vector2d low_m_ = Eigen::Vector2d::Constant(-0.5);
+  double cell_m_ = 1;
+  int columns_ = 1, rows_ = 1;
+};
+}  // namespace psmks
