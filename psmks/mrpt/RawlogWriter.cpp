@@ -1,0 +1,108 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPose3D.h>
+#include <mrpt/serialization/CArchive.h>
+#include <psmks/mrpt/Convert.h>
+#include <psmks/mrpt/RawlogWriter.h>
+
+namespace psmks
+{
+using mrpt::obs::CActionCollection;
+using mrpt::obs::CActionRobotMovement2D;
+using mrpt::obs::CObservation2DRangeScan;
+using mrpt::obs::CObservationOdometry;
+using mrpt::obs::CSensoryFrame;
+
+namespace
+{
+bool isReturn(const Scan& scan, std::size_t ray)
+{
+  const double range_m = scan.range_m[ray];
+  const bool withinLimit = scan.maxRange_m <= 0 || range_m < scan.maxRange_m;
+  return range_m > 0 && withinLimit && (scan.valid.empty() || scan.valid[ray]);
+}
+
+void assignRanges(const Scan& scan, CObservation2DRangeScan& observation)
+{
+  const float noReturn_m = static_cast<float>(scan.maxRange_m);
+  observation.resizeScanAndAssign(scan.range_m.size(), noReturn_m, false);
+  for (std::size_t ray = 0; ray < scan.range_m.size(); ++ray)
+  {
+    if (!isReturn(scan, ray)) continue;
+    observation.setScanRange(ray, static_cast<float>(scan.range_m[ray]));
+    observation.setScanRangeValidity(ray, true);
+  }
+}
+
+/** The motion as MRPT's Gaussian model words it, whose terms are the same: a minimum and shares of
+ * the way and of the turn. */
+CActionRobotMovement2D::TMotionModelOptions motionModel(const OdometryOptions& odometry)
+{
+  constexpr double kTurn_rad = 2 * kPi;
+  CActionRobotMovement2D::TMotionModelOptions model;
+  model.modelSelection = CActionRobotMovement2D::mmGaussian;
+  model.gaussianModel = {odometry.sigmaPerMetre_m,   odometry.sigmaPerTurn_m / kTurn_rad,
+                         odometry.sigmaPerMetre_rad, odometry.sigmaPerTurn_rad / kTurn_rad,
+                         odometry.minSigma_m,        odometry.minSigma_rad};
+  return model;
+}
+}  // namespace
+
+CObservation2DRangeScan::Ptr toMrpt(const Scan& scan, const Pose2& T_robot_sensor)
+{
+  const BeamGrid& grid = scan.grid;
+  const double aperture_rad = grid.increment_rad() * (grid.count() - 1);
+  const double middle_rad = grid.firstBearing_rad() + aperture_rad / 2;
+
+  auto observation = CObservation2DRangeScan::Create();
+  observation->timestamp = mrpt::Clock::fromDouble(scan.stamp_s);
+  observation->sensorLabel = "LASER1";
+  observation->sensorPose = mrpt::poses::CPose3D(toMrpt(T_robot_sensor * Pose2{0, 0, middle_rad}));
+  observation->rightToLeft = true;
+  observation->aperture = static_cast<float>(aperture_rad);
+  observation->maxRange = static_cast<float>(scan.maxRange_m);
+  if (scan.rangeSigma_m > 0) observation->stdError = static_cast<float>(scan.rangeSigma_m);
+  assignRanges(scan, *observation);
+  return observation;
+}
+
+void RawlogWriter::write(const Scan& scan, const Pose2& T_start_odometry)
+{
+  const auto observation = toMrpt(scan, options_.T_robot_sensor);
+  if (options_.format == RawlogFormat::Actions)
+    writeActions(observation,
+                 lastOdometry_.value_or(T_start_odometry).inverse() * T_start_odometry);
+  else
+    writeObservations(observation, T_start_odometry);
+  lastOdometry_ = T_start_odometry;
+}
+
+void RawlogWriter::writeActions(const CObservation2DRangeScan::Ptr& scan, const Pose2& motion)
+{
+  CActionRobotMovement2D movement;
+  movement.timestamp = scan->timestamp;
+  movement.computeFromOdometry(toMrpt(motion), motionModel(options_.odometry));
+  CActionCollection actions;
+  actions.insert(movement);
+  CSensoryFrame frame;
+  frame.insert(scan);
+
+  auto archive = mrpt::serialization::archiveFrom(file_);
+  archive << actions << frame;
+}
+
+void RawlogWriter::writeObservations(const CObservation2DRangeScan::Ptr& scan,
+                                     const Pose2& T_start_odometry)
+{
+  CObservationOdometry odometry;
+  odometry.timestamp = scan->timestamp;
+  odometry.sensorLabel = "ODOMETRY";
+  odometry.odometry = toMrpt(T_start_odometry);
+
+  auto archive = mrpt::serialization::archiveFrom(file_);
+  archive << odometry << *scan;
+}
+}  // namespace psmks

@@ -1,0 +1,65 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <psmks/core/OdometryNoise.h>
+#include <psmks/core/Scan.h>
+
+#include <optional>
+#include <string>
+
+namespace psmks
+{
+/** The two kinds of MRPT's rawlogs. */
+enum class RawlogFormat
+{
+  Actions,      //!< a motion and a sensory frame in turn
+  Observations  //!< the pose by odometry and a scan in turn
+};
+
+/** The scan as MRPT's observation: rays from right to left; one without return is flagged invalid
+ * and reads the maximum range. An unknown range sigma leaves MRPT's default.
+ *
+ * MRPT lays the rays of a scan symmetrically about the x axis of its sensor: where the grid is not,
+ * as on a full circle, the sensor is turned instead. */
+mrpt::obs::CObservation2DRangeScan::Ptr toMrpt(const Scan& scan, const Pose2& T_robot_sensor);
+
+/** Writes the scans and the odometry of a drive as a gzipped rawlog. The same input gives the same
+ * bytes. The sensors are called LASER1 and, in a log of observations, ODOMETRY. */
+class RawlogWriter
+{
+ public:
+  struct Options
+  {
+    RawlogFormat format = RawlogFormat::Actions;
+    Pose2 T_robot_sensor;
+    OdometryOptions odometry;  //!< how far a log of actions says that its motions can be trusted
+  };
+
+  explicit RawlogWriter(const Options& options) : options_(options) {}
+
+  /** False where the file cannot be created. */
+  bool open(const std::string& path) { return file_.open(path); }
+
+  /** One scan and where the wheels say that the robot was then; in the order of the stamps.
+   *  @throws std::exception where the file cannot be written */
+  void write(const Scan& scan, const Pose2& T_start_odometry);
+
+  /** The time that a stamp has in the log: MRPT counts in 100 ns. */
+  static double loggedStamp_s(double stamp_s)
+  {
+    return mrpt::Clock::toDouble(mrpt::Clock::fromDouble(stamp_s));
+  }
+
+ private:
+  void writeActions(const mrpt::obs::CObservation2DRangeScan::Ptr& scan, const Pose2& motion);
+  void writeObservations(const mrpt::obs::CObservation2DRangeScan::Ptr& scan,
+                         const Pose2& T_start_odometry);
+
+  Options options_;
+  mrpt::io::CFileGZOutputStream file_;
+  std::optional<Pose2> lastOdometry_;
+};
+}  // namespace psmks
