@@ -1,0 +1,246 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/sim/AreaCenterDriver.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+constexpr double kDegree_rad = kPi / 180;
+
+// The method's own constants.
+constexpr double kReachGrowth = 1.025;     // a cycle
+constexpr double kCautiousShare = 0.25;    // of the full reach
+constexpr double kLeastSideShare = 0.15;   // of all rays: a side with fewer of them is no way
+constexpr double kForegoneShare = 0.1;     // a side less likely than this is never chosen
+constexpr double kWayWidth_radii = 1.1;    // half the width that a robot needs on its way
+constexpr double kWayLength_radii = 1.25;  // beside what it drives in kWayTime_s
+constexpr double kWayTime_s = 1;
+constexpr double kStraight_rad = 2 * kDegree_rad;
+constexpr double kInnerWheelTurn = 1.8;  // of the bearing: the inner wheel is so much slower
+constexpr double kTurnShare = 0.1;       // of the highest speed, on the spot and backward
+constexpr double kSlowTurn_rad = 23 * kDegree_rad;
+constexpr double kReverse_s = 2;
+constexpr double kSectorEdge_rad = 90.5 * kDegree_rad;
+
+// What it needs beside, so as never to touch a thing and never to stand for long.
+constexpr double kLeastReach_m = 0.3;
+constexpr double kLeastSplitAngle_rad = 10 * kDegree_rad;
+constexpr double kLookAhead_s = 1.2;
+constexpr double kLookStep_s = 0.2;
+constexpr double kLeastSpeedShare = 0.2;
+constexpr double kGiveWay_rad = 40 * kDegree_rad;
+constexpr double kStandstill_s = 12;
+constexpr double kStandstill_m = 0.4;
+constexpr double kLaneWidth_m = 0.9;
+
+double bearing_rad(const Eigen::Vector2d& place_m) { return std::atan2(place_m.y(), place_m.x()); }
+}  // namespace
+
+AreaCenterDriver::AreaCenterDriver(const AreaCenterOptions& options, const RobotOptions& robot,
+                                   unsigned seed)
+    : options_(options), robot_(robot), random_(seed), reach_m_(options.initialReach_m)
+{
+}
+
+WheelSpeeds AreaCenterDriver::drive(const DriverView& view)
+{
+  moveSplits(view.T_start_odometry.inverse() * T_start_before_);
+  T_start_before_ = view.T_start_odometry;
+  const RayFan fan(view.scan, view.T_robot_sensor);
+
+  if (view.bumped) reverseUntil_s_ = view.time_s + kReverse_s;
+  if (view.time_s < reverseUntil_s_)
+    return {-kTurnShare * robot_.maxSpeed_mps, -kTurnShare * robot_.maxSpeed_mps};
+  watchForStandstill(view, fan);
+  if (const auto speeds = turning(view)) return *speeds;
+
+  reach_m_ = std::min(kReachGrowth * reach_m_, options_.initialReach_m);
+  const auto target = this->target(fan, speedOf(view.speeds));
+  if (!target)
+  {
+    turnBy(view, kPi);
+    return {};
+  }
+  WheelSpeeds speeds = toward(*target);
+  for (double share = 1; share >= kLeastSpeedShare; share /= 2)
+  {
+    if (isSafe(speeds, fan)) return speeds;
+    speeds = {speeds.left_mps / 2, speeds.right_mps / 2};
+  }
+  const RayFan near = fan.clipped(options_.initialReach_m);
+  const bool leftIsFreer = near.sector(0, kSectorEdge_rad).meanRange_m() >
+                           near.sector(-kSectorEdge_rad, 0).meanRange_m();
+  turnBy(view, leftIsFreer ? kGiveWay_rad : -kGiveWay_rad);
+  return {};
+}
+
+void AreaCenterDriver::moveSplits(const Pose2& T_now_before)
+{
+  for (auto* place : {&rightSplit_m_, &leftSplit_m_})
+  {
+    if (!*place) continue;
+    *place = T_now_before * **place;
+    if (std::abs(bearing_rad(**place)) > kSectorEdge_rad) place->reset();
+  }
+  const bool narrow =
+      rightSplit_m_ && leftSplit_m_ &&
+      bearing_rad(*leftSplit_m_) - bearing_rad(*rightSplit_m_) < kLeastSplitAngle_rad;
+  if (!narrow) return;
+  rightSplit_m_.reset();
+  leftSplit_m_.reset();
+}
+
+void AreaCenterDriver::watchForStandstill(const DriverView& view, const RayFan& fan)
+{
+  if (view.time_s - checked_s_ < kStandstill_s) return;
+  const double moved_m =
+      (view.T_start_odometry.translation() - T_start_checked_.translation()).norm();
+  T_start_checked_ = view.T_start_odometry;
+  checked_s_ = view.time_s;
+  if (moved_m > kStandstill_m) return;
+
+  std::uniform_real_distribution<double> favour(0.7, 1.3);
+  double longest_m = 0, best_rad = 0;
+  for (double bearing = -kPi / 2; bearing <= kPi / 2; bearing += 5 * kDegree_rad)
+  {
+    const double lane_m = fan.lane_m(bearing, kLaneWidth_m) * favour(random_);
+    if (lane_m <= longest_m) continue;
+    longest_m = lane_m;
+    best_rad = bearing;
+  }
+  turnBy(view, best_rad);
+}
+
+void AreaCenterDriver::beCautious()
+{
+  reach_m_ = kCautiousShare * options_.initialReach_m;
+  rightSplit_m_.reset();
+  leftSplit_m_.reset();
+}
+
+void AreaCenterDriver::turnBy(const DriverView& view, double angle_rad)
+{
+  turnTo_rad_ = wrapAngle(view.T_start_odometry.phi_rad + angle_rad);
+}
+
+std::optional<WheelSpeeds> AreaCenterDriver::turning(const DriverView& view)
+{
+  if (!turnTo_rad_) return std::nullopt;
+  const double left_rad = wrapAngle(*turnTo_rad_ - view.T_start_odometry.phi_rad);
+  if (std::abs(left_rad) < kStraight_rad)
+  {
+    turnTo_rad_.reset();
+    beCautious();
+    return std::nullopt;
+  }
+  const double rim_mps =
+      kTurnShare * robot_.maxSpeed_mps * std::clamp(left_rad / kSlowTurn_rad, -1.0, 1.0);
+  return WheelSpeeds{-rim_mps, rim_mps};
+}
+
+RayFan AreaCenterDriver::openSector(const RayFan& fan) const
+{
+  return fan.sector(rightSplit_m_ ? bearing_rad(*rightSplit_m_) : -kSectorEdge_rad,
+                    leftSplit_m_ ? bearing_rad(*leftSplit_m_) : kSectorEdge_rad);
+}
+
+std::optional<AreaCenterDriver::Target> AreaCenterDriver::target(const RayFan& fan,
+                                                                 double speed_mps)
+{
+  const RayFan sector = openSector(fan).clipped(reach_m_);
+  if (const auto found = centreOf(sector, fan, speed_mps)) return found;
+  if (const auto found = split(sector, sector.areaCentre_m(), fan, speed_mps)) return found;
+  beCautious();
+  return centreOf(fan.clipped(reach_m_), fan, speed_mps);
+}
+
+std::optional<AreaCenterDriver::Target> AreaCenterDriver::centreOf(const RayFan& sector,
+                                                                   const RayFan& fan,
+                                                                   double speed_mps) const
+{
+  const Eigen::Vector2d centre_m = sector.areaCentre_m();
+  if (!isAccessible(centre_m, fan, speed_mps)) return std::nullopt;
+  return Target{centre_m, sector.halfAngle_rad()};
+}
+
+std::optional<AreaCenterDriver::Target> AreaCenterDriver::split(const RayFan& sector,
+                                                                const Eigen::Vector2d& centre_m,
+                                                                const RayFan& fan, double speed_mps)
+{
+  const double at_rad = bearing_rad(centre_m);
+  const RayFan right = sector.sector(-kSectorEdge_rad, at_rad);
+  const RayFan left = sector.sector(at_rad, kSectorEdge_rad);
+  const double rightShare = static_cast<double>(right.count()) / fan.count();
+  const double leftShare = static_cast<double>(left.count()) / fan.count();
+  if (std::max(rightShare, leftShare) < kLeastSideShare) return std::nullopt;
+
+  const double rightReach_m = std::max(kLeastReach_m, rightShare * options_.initialReach_m);
+  const double leftReach_m = std::max(kLeastReach_m, leftShare * options_.initialReach_m);
+  const auto toRight = centreOf(right.clipped(rightReach_m), fan, speed_mps);
+  const auto toLeft = centreOf(left.clipped(leftReach_m), fan, speed_mps);
+  if (!toRight && !toLeft) return std::nullopt;
+
+  const double rightWeight = right.count() * right.area_m2();
+  const double leftWeight = left.count() * left.area_m2();
+  double leftLikely = leftWeight / (leftWeight + rightWeight);
+  if (leftLikely < kForegoneShare || !toLeft) leftLikely = 0;
+  if (leftLikely > 1 - kForegoneShare || !toRight) leftLikely = 1;
+  const bool goLeft = std::bernoulli_distribution(leftLikely)(random_);
+  (goLeft ? rightSplit_m_ : leftSplit_m_) = centre_m;
+  reach_m_ = goLeft ? leftReach_m : rightReach_m;
+  return goLeft ? toLeft : toRight;
+}
+
+// The way begins along the heading and bends toward the centre half way.
+bool AreaCenterDriver::isAccessible(const Eigen::Vector2d& centre_m, const RayFan& fan,
+                                    double speed_mps) const
+{
+  const bool full = !rightSplit_m_ && !leftSplit_m_ && reach_m_ >= options_.initialReach_m;
+  if (full && centre_m.norm() < 2 * robot_.radius_m) return false;
+  if (fan.outlineDistance_m(centre_m) <= robot_.radius_m) return false;
+
+  const double half_m = (kWayLength_radii * robot_.radius_m + kWayTime_s * speed_mps) / 2;
+  const Eigen::Vector2d bend_m(half_m, 0);
+  const Eigen::Vector2d end_m = bend_m + half_m * (centre_m - bend_m).normalized();
+  const double needed_m = kWayWidth_radii * robot_.radius_m;
+  return fan.wayClearance_m({0, 0}, bend_m) > needed_m &&
+         fan.wayClearance_m(bend_m, end_m) > needed_m;
+}
+
+// The centroid of a free sector lies at 2/3 of its radius times sin(A) / A, A half its angle: there
+// the robot drives at full speed.
+WheelSpeeds AreaCenterDriver::toward(const Target& target) const
+{
+  const double half_rad = target.halfAngle_rad;
+  const double sinc = half_rad > 0 ? std::sin(half_rad) / half_rad : 1;
+  const double free_m = 2.0 / 3 * options_.initialReach_m * sinc;
+  const double full_mps = options_.gain * robot_.maxSpeed_mps * target.place_m.norm() / free_m;
+
+  const double aside_rad = bearing_rad(target.place_m);
+  if (std::abs(aside_rad) < kStraight_rad) return {full_mps, full_mps};
+  const double outer_mps = full_mps * std::cos(aside_rad);
+  const double inner_mps = outer_mps * std::cos(kInnerWheelTurn * aside_rad);
+  if (aside_rad > 0) return {inner_mps, outer_mps};
+  return {outer_mps, inner_mps};
+}
+
+bool AreaCenterDriver::isSafe(const WheelSpeeds& speeds, const RayFan& fan) const
+{
+  const double needed_m = kWayWidth_radii * robot_.radius_m;
+  const double now_m = fan.clearance_m({0, 0});
+  for (double ahead_s = kLookStep_s; ahead_s <= kLookAhead_s; ahead_s += kLookStep_s)
+  {
+    const Eigen::Vector2d place_m = speeds.motion(robot_.track_m, ahead_s).translation();
+    if (fan.clearance_m(place_m) < std::min(needed_m, now_m)) return false;
+  }
+  return true;
+}
+
+double AreaCenterDriver::speedOf(const WheelSpeeds& speeds) const
+{
+  return (speeds.left_mps + speeds.right_mps) / 2;
+}
+}  // namespace psmks
