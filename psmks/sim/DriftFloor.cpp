@@ -1,0 +1,103 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Angle.h>
+#include <psmks/sim/DriftFloor.h>
+
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+// Wheels that hardly turned: keeps a prior of a robot at rest invertible.
+const Eigen::Matrix3d kRest = Eigen::Vector3d(1e-10, 1e-10, 1e-10).asDiagonal();
+
+/** Estimate minus truth of (x, y, phi), both in the axes of the reference. */
+Eigen::Vector3d difference(const Pose2& estimate, const Pose2& truth)
+{
+  return {estimate.x_m - truth.x_m, estimate.y_m - truth.y_m,
+          wrapAngle(estimate.phi_rad - truth.phi_rad)};
+}
+}  // namespace
+
+DriftFloor::DriftFloor(const World& world, const Recording& recording,
+                       const SimulationOptions& simulation)
+    : world_(world),
+      recording_(recording),
+      robot_(simulation.robot),
+      rangeSigma_m_(simulation.laser.rangeSigma_m),
+      scanPeriod_s_(simulation.scanPeriod_s)
+{
+}
+
+std::vector<Pose2> DriftFloor::poses(
+    const std::vector<std::optional<std::size_t>>& referenceOf) const
+{
+  std::vector<Pose2> T_world_robot;
+  for (std::size_t scan = 0; scan < referenceOf.size(); ++scan)
+  {
+    if (scan == 0)
+      T_world_robot.push_back(recording_.scans.front().T_world_robot);
+    else if (referenceOf[scan])
+      T_world_robot.push_back(T_world_robot[*referenceOf[scan]] *
+                              matched(*referenceOf[scan], scan));
+    else
+      T_world_robot.push_back(T_world_robot[scan - 1] * measuredMotion(scan - 1, scan));
+  }
+  return T_world_robot;
+}
+
+Pose2 DriftFloor::matched(std::size_t reference, std::size_t current) const
+{
+  const RecordedScan& ref = recording_.scans[reference];
+  const RecordedScan& cur = recording_.scans[current];
+  const Pose2 truth = ref.T_world_robot.inverse() * cur.T_world_robot;
+  const PoseBound bound = poseBound(world_, ref.T_world_robot, ref.simulated, cur.T_world_robot,
+                                    cur.simulated, rangeSigma_m_);
+  const Eigen::Vector3d error =
+      mostLikelyError(bound, difference(measuredMotion(reference, current), truth),
+                      wheelCovariance(reference, current));
+  return {truth.x_m + error.x(), truth.y_m + error.y(), wrapAngle(truth.phi_rad + error.z())};
+}
+
+Pose2 DriftFloor::measuredMotion(std::size_t reference, std::size_t current) const
+{
+  return recording_.scans[reference].T_start_odometry.inverse() *
+         recording_.scans[current].T_start_odometry;
+}
+
+/** Both wheels run independently of each other with a factor of uniform noise, drawn anew for each
+ * noise step: a way w driven in n steps has the variance w^2 / n * noise^2 / 3. A wheel's error
+ * moves the robot along its heading by half of it and turns it by error / track, and a turn moves
+ * everything that is driven after it. */
+Eigen::Matrix3d DriftFloor::wheelCovariance(std::size_t reference, std::size_t current) const
+{
+  const double steps = scanPeriod_s_ / robot_.noiseStep_s;
+  const double variancePerSquare = robot_.wheelNoise * robot_.wheelNoise / 3 / steps;
+  Eigen::Matrix3d covariance = kRest;
+  Pose2 T_ref_here;
+  for (std::size_t scan = reference + 1; scan <= current; ++scan)
+  {
+    const Pose2 step = measuredMotion(scan - 1, scan);
+    const double way_m = std::copysign(step.translation().norm(), step.x_m);
+    const double half_m = step.phi_rad * robot_.track_m / 2;
+    const double left_m2 = (way_m - half_m) * (way_m - half_m) * variancePerSquare;
+    const double right_m2 = (way_m + half_m) * (way_m + half_m) * variancePerSquare;
+
+    const double heading_rad = T_ref_here.phi_rad + step.phi_rad / 2;
+    const Eigen::Vector2d ahead(std::cos(heading_rad), std::sin(heading_rad));
+    const Pose2 T_ref_next = T_ref_here * step;
+    const Eigen::Vector2d moved_m = T_ref_next.translation() - T_ref_here.translation();
+
+    Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+    turned(0, 2) = -moved_m.y();
+    turned(1, 2) = moved_m.x();
+    Eigen::Matrix<double, 3, 2> byWheel;
+    byWheel << ahead.x() / 2, ahead.x() / 2, ahead.y() / 2, ahead.y() / 2, -1 / robot_.track_m,
+        1 / robot_.track_m;
+    covariance = turned * covariance * turned.transpose() +
+                 byWheel * Eigen::Vector2d(left_m2, right_m2).asDiagonal() * byWheel.transpose();
+    T_ref_here = T_ref_next;
+  }
+  return covariance;
+}
+}  // namespace psmks

@@ -1,0 +1,44 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/sim/PoseBound.h>
+#include <psmks/sim/Simulation.h>
+#include <psmks/sim/World.h>
+
+#include <optional>
+#include <vector>
+
+namespace psmks
+{
+/** The drift that remains when every match of a drive is made as well as it can be.
+ *
+ * Each scan's pose hangs on the one it was matched against, with the error that maximum likelihood
+ * makes on the noise of these very two scans and of the wheels in between (mostLikelyError()). A
+ * scan's noise enters the matches of both its sides, mostly with opposite sign: errors of
+ * neighbouring matches cancel in part, which a floor of independent errors would miss.
+ *
+ *     start --odometry--> . --match--> . --match--> .                                            */
+class DriftFloor
+{
+ public:
+  /** @param recording made in this world with the scanner at the centre of the robot; both must
+   *  outlive the floor */
+  DriftFloor(const World& world, const Recording& recording, const SimulationOptions& simulation);
+
+  /** Where the robot would be thought to be, for every scan, in the world's frame.
+   *  @param referenceOf index of the scan each scan was matched against, smaller than its own; none
+   *  where there was no match, so that the odometry since the scan before counts */
+  std::vector<Pose2> poses(const std::vector<std::optional<std::size_t>>& referenceOf) const;
+
+ private:
+  Pose2 matched(std::size_t reference, std::size_t current) const;
+  Pose2 measuredMotion(std::size_t reference, std::size_t current) const;
+  Eigen::Matrix3d wheelCovariance(std::size_t reference, std::size_t current) const;
+
+  const World& world_;
+  const Recording& recording_;
+  RobotOptions robot_;
+  double rangeSigma_m_;
+  double scanPeriod_s_;
+};
+}  // namespace psmks
