@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/PairsCommand.h>
+#include <apps/support/Assignment.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 #include <mrpt/config/CConfigFile.h>
@@ -39,17 +40,6 @@ GuessKind guessKind(const std::string& name)
   for (const GuessKind kind : {GuessKind::Zero, GuessKind::Odometry})
     if (toString(kind) == name) return kind;
   throw CLI::ValidationError("--guess", "'" + name + "' is not known, allowed: zero | odometry");
-}
-
-/** "section.key=value" */
-void assign(OptionTable& table, const std::string& assignment)
-{
-  const auto dot = assignment.find('.');
-  const auto equals = assignment.find('=', dot == std::string::npos ? 0 : dot);
-  if (dot == std::string::npos || equals == std::string::npos)
-    throw CLI::ValidationError("--set", "'" + assignment + "' is not SECTION.KEY=VALUE");
-  table.set(assignment.substr(0, dot), assignment.substr(dot + 1, equals - dot - 1),
-            assignment.substr(equals + 1));
 }
 
 /** The file's name without folder and extensions. */
@@ -123,7 +113,11 @@ MatcherOptions PairsCommand::matcherOptions() const
       throw CLI::ValidationError("--config", "'" + configPath_ + "' is no file");
     loadOptions(table, mrpt::config::CConfigFile(configPath_), "psmks");
   }
-  for (const auto& assignment : assignments_) assign(table, assignment);
+  for (const auto& assignment : assignments_)
+  {
+    const auto [section, key, value] = parseAssignment(assignment);
+    table.set(section, key, value);
+  }
   return options;
 }
 

@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/SlamOptions.h>
+#include <apps/support/Assignment.h>
 #include <mrpt/config/CConfigFile.h>
 #include <psmks/mrpt/ConfigFile.h>
 
@@ -56,13 +57,10 @@ void SlamOptions::load(const std::string& path)
 
 void SlamOptions::set(const std::string& assignment)
 {
-  const auto dot = assignment.find('.'), equals = assignment.find('=');
-  if (equals == std::string::npos || dot == std::string::npos || dot > equals)
-    throw OptionError("'" + assignment + "' is not of the form stage.key=value");
-  const std::string section = assignment.substr(0, dot);
+  const auto [section, key, value] = parseAssignment(assignment);
   OptionTable matchingOptions = optionTable(matching), slam = slamTable(*this);
   OptionTable& table = hasSection(slam, section) ? slam : matchingOptions;
-  table.set(section, assignment.substr(dot + 1, equals - dot - 1), assignment.substr(equals + 1));
+  table.set(section, key, value);
 }
 
 std::string SlamOptions::toIni()
