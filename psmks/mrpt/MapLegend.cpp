@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 
 namespace psmks
 {
@@ -11,12 +12,18 @@ namespace
 {
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double kFontHeight_px = 22;                // of that font at scale 1
+constexpr double kBarsPerSheet = 6;                  // at least, side by side
 constexpr double kBoxShade = 0.85;                   // of the grid's colour
 constexpr double kBarWidth = 1.5, kMarkWidth = 4.5;  // hairlines
 }  // namespace
 
-void MapLegend::draw(double scale_m, const std::string& scaleText)
+void MapLegend::draw()
 {
+  const double sheetWidth_m = sheet_.frame().max_m.x() - sheet_.frame().min_m.x();
+  const double scale_m = roundLength(sheetWidth_m / kBarsPerSheet);
+  std::ostringstream lengthText;
+  lengthText << scale_m << " m";
+  const std::string scaleText = lengthText.str();
   const int barWidth = static_cast<int>(std::lround(scale_m / sheet_.pixel_m()));
   int width = barWidth + unit_ + textWidth(scaleText);
   for (const auto& row : rows_) width = std::max(width, 4 * unit_ + textWidth(row.text));

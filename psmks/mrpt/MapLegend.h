@@ -25,7 +25,7 @@ class MapLegend
     rows_.push_back({text, Sample::Mark, colour, 0});
   }
 
-  void draw(double scale_m, const std::string& scaleText);
+  void draw();
 
  private:
   enum class Sample

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
-#include <sstream>
 
 namespace psmks
 {
@@ -56,15 +55,6 @@ MapSheet::Frame frameOf(const ScanMap& map)
   return frame;
 }
 
-/** 1, 2 or 5 times a power of ten, at most x. */
-double roundLength(double x)
-{
-  const double decade = std::pow(10.0, std::floor(std::log10(x)));
-  for (const double step : {5.0, 2.0})
-    if (step * decade <= x) return step * decade;
-  return decade;
-}
-
 /** From violet at the start over red to orange at the end. */
 Colour pathColour(double share)
 {
@@ -104,8 +94,6 @@ void drawDashed(MapSheet& sheet, const std::vector<Pose2>& path, const Colour& c
 
 void drawLegend(MapSheet& sheet, const ScanMap& map, const std::string& title)
 {
-  const double width_m = sheet.frame().max_m.x() - sheet.frame().min_m.x();
-  const double scale_m = roundLength(width_m / 6);
   MapLegend legend(sheet);
   legend.add(title);
   legend.addLine("points of " + std::to_string(map.path.size()) + " scans", kPoint, 2);
@@ -114,9 +102,7 @@ void drawLegend(MapSheet& sheet, const ScanMap& map, const std::string& title)
   if (!map.odometryPath.empty()) legend.addLine("odometry alone", kOdometry, kOdometryWidth);
   legend.addMark("start", kStart);
   legend.addMark("end", kEnd);
-  std::ostringstream scaleText;
-  scaleText << scale_m << " m";
-  legend.draw(scale_m, scaleText.str());
+  legend.draw();
 }
 }  // namespace
 
@@ -124,7 +110,7 @@ bool saveMapPicture(const ScanMap& map, const std::string& title, const std::str
 {
   if (map.points_m.empty() || map.path.empty()) return false;
   MapSheet sheet(frameOf(map));
-  sheet.drawGrid(roundLength((sheet.frame().max_m - sheet.frame().min_m).maxCoeff() / 4));
+  sheet.drawGrid();
   sheet.drawPoints(map.points_m, kPoint);
   for (const auto& wall : map.walls) sheet.drawLine(wall.from_m, wall.to_m, kWall, kWallWidth);
   drawDashed(sheet, map.odometryPath, kOdometry);

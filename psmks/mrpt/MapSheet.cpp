@@ -31,9 +31,10 @@ MapSheet::MapSheet(const Frame& frame) : frame_(frame)
   hairline_px_ = std::max(1.0, size_px.maxCoeff() / kHairlinesPerSheet);
 }
 
-void MapSheet::drawGrid(double spacing_m)
+void MapSheet::drawGrid()
 {
   const auto [min_m, max_m] = frame_;
+  const double spacing_m = roundLength((max_m - min_m).maxCoeff() / 4);
   const auto firstAbove = [&](double x) { return std::ceil(x / spacing_m) * spacing_m; };
   for (double x = firstAbove(min_m.x()); x < max_m.x(); x += spacing_m)
     drawLine({x, min_m.y()}, {x, max_m.y()}, ink::kGrid, 1);
@@ -73,5 +74,13 @@ cv::Point MapSheet::pixel(const Eigen::Vector2d& p_m, int parts) const
   const double scale = parts / pixel_m_;
   return {static_cast<int>(std::lround((p_m.x() - frame_.min_m.x()) * scale)),
           static_cast<int>(std::lround((frame_.max_m.y() - p_m.y()) * scale))};
+}
+
+double roundLength(double x)
+{
+  const double decade = std::pow(10.0, std::floor(std::log10(x)));
+  for (const double step : {5.0, 2.0})
+    if (step * decade <= x) return step * decade;
+  return decade;
 }
 }  // namespace psmks

@@ -21,8 +21,8 @@ class MapSheet
 
   explicit MapSheet(const Frame& frame);
 
-  /** Faint lines at the multiples of the spacing. */
-  void drawGrid(double spacing_m);
+  /** Faint lines, four to ten along the longer side. */
+  void drawGrid();
 
   void drawPoints(const std::vector<Eigen::Vector2d>& points_m, const Colour& colour);
 
@@ -49,6 +49,9 @@ class MapSheet
   double hairline_px_;
   cv::Mat image_;
 };
+
+/** 1, 2 or 5 times a power of ten, at most x. */
+double roundLength(double x);
 
 namespace ink
 {
