@@ -107,6 +107,13 @@ void writeTum(std::ostream& out, const Trajectory& trajectory)
   }
 }
 
+void writeMrptGroundTruth(std::ostream& out, const Trajectory& trajectory)
+{
+  out << std::fixed << std::setprecision(9);
+  for (const auto& [stamp_s, pose] : trajectory)
+    out << stamp_s << ' ' << pose.x_m << ' ' << pose.y_m << ' ' << pose.phi_rad << '\n';
+}
+
 TrajectoryError trajectoryError(const Trajectory& estimate, const Trajectory& truth)
 {
   Tally position, heading;

@@ -37,6 +37,9 @@ Trajectory readTrajectory(const std::string& path);
 /** Writes TUM: "stamp x y z qx qy qz qw", 9 decimals of the stamp. */
 void writeTum(std::ostream& out, const Trajectory& trajectory);
 
+/** Writes MRPT's ground truth, as its graphslam-engine reads it: "stamp x y phi", radians. */
+void writeMrptGroundTruth(std::ostream& out, const Trajectory& trajectory);
+
 /** Errors of an estimated trajectory at the stamps of the truth's that it covers. */
 struct TrajectoryError
 {

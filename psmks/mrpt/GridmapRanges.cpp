@@ -40,38 +40,6 @@ double distanceToBox_m(const Eigen::Vector2d& point_m, const Eigen::Vector2d& mi
   return beyond_m.max(0).matrix().norm();
 }
 
-bool endsIn(const std::string& text, const std::string& ending)
-{
-  return text.size() >= ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-COccupancyGridMap2D loadMrptGrid(const std::string& path)
-{
-  GzipInput file(path);
-  if (!file.isOpen()) throw GridmapError("'" + path + "': no such file, or not to be read");
-  COccupancyGridMap2D map;
-  try
-  {
-    auto archive = mrpt::serialization::archiveFrom(file);
-    archive >> map;
-  }
-  catch (const std::exception&)  // its text is of source lines and addresses
-  {
-    throw GridmapError("'" + path + "' is no MRPT grid map, or is damaged");
-  }
-  return map;
-}
-
-COccupancyGridMap2D loadImage(const std::string& path, std::optional<double> resolution_m)
-{
-  if (!resolution_m)
-    throw GridmapError("'" + path + "' is an image by its name: the size of a pixel is missing");
-  COccupancyGridMap2D map;
-  if (!map.loadFromBitmapFile(path, static_cast<float>(*resolution_m)))
-    throw GridmapError("'" + path + "' cannot be read as an image");
-  return map;
-}
 }  // namespace
 
 GridmapRanges::GridmapRanges(const COccupancyGridMap2D& map)
@@ -179,9 +147,28 @@ Eigen::Vector2d GridmapRanges::middle_m(const Eigen::Vector2i& cell) const
   return corner_m_ + cell_m_ * (cell.cast<double>() + Eigen::Vector2d::Constant(0.5));
 }
 
-GridmapRanges loadGridmap(const std::string& path, std::optional<double> resolution_m)
+GridmapRanges loadGridmap(const std::string& path)
 {
-  const bool isMrptGrid = endsIn(path, ".gridmap") || endsIn(path, ".gridmap.gz");
-  return GridmapRanges(isMrptGrid ? loadMrptGrid(path) : loadImage(path, resolution_m));
+  GzipInput file(path);
+  if (!file.isOpen()) throw GridmapError("'" + path + "': no such file, or not to be read");
+  COccupancyGridMap2D map;
+  try
+  {
+    auto archive = mrpt::serialization::archiveFrom(file);
+    archive >> map;
+  }
+  catch (const std::exception&)  // its text is of source lines and addresses
+  {
+    throw GridmapError("'" + path + "' is no MRPT grid map, or is damaged");
+  }
+  return GridmapRanges(map);
+}
+
+GridmapRanges loadImageAsGridmap(const std::string& path, double pixel_m)
+{
+  COccupancyGridMap2D map;
+  if (!map.loadFromBitmapFile(path, static_cast<float>(pixel_m)))
+    throw GridmapError("'" + path + "' cannot be read as an image");
+  return GridmapRanges(map);
 }
 }  // namespace psmks

@@ -81,8 +81,12 @@ class GridmapRanges
   std::vector<Cell> cells_;
 };
 
-/** Loads an MRPT grid (`.gridmap`, `.gridmap.gz`), or an image whose dark pixels are solid.
- *  @param resolution_m size of a pixel, for images only; the middle of an image is the origin
- *  @throws GridmapError where that fails, or an image has no resolution */
-GridmapRanges loadGridmap(const std::string& path, std::optional<double> resolution_m);
+/** Loads an MRPT grid, gzipped or not.
+ *  @throws GridmapError */
+GridmapRanges loadGridmap(const std::string& path);
+
+/** Loads an image whose dark pixels are solid; its middle is the origin.
+ *  @param pixel_m size of a pixel
+ *  @throws GridmapError */
+GridmapRanges loadImageAsGridmap(const std::string& path, double pixel_m);
 }  // namespace psmks

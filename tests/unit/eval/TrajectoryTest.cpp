@@ -44,6 +44,20 @@ TEST_F(TrajectoryTest, tumIsReadAsItIsWritten)
   }
 }
 
+TEST_F(TrajectoryTest, mrptGroundTruthIsReadAsItIsWritten)
+{
+  const Trajectory written{{1e9, {1, -2, degToRad(170)}}, {1e9 + 0.5, {3, 4, degToRad(-30)}}};
+  std::ostringstream text;
+  writeMrptGroundTruth(text, written);
+  const Trajectory trajectory = read(text.str());
+  ASSERT_EQ(trajectory.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(trajectory[i].stamp_s, written[i].stamp_s);
+    EXPECT_TRUE(isNearly(trajectory[i].pose, written[i].pose, 1e-8, 1e-8));
+  }
+}
+
 TEST_F(TrajectoryTest, mrptGroundTruthIsReadAndCommentsAreSkipped)
 {
   const Trajectory trajectory = read("% time x y phi\n# another\n\n10.5 1 2 3\n11 4 5 -3 % end\n");

@@ -149,9 +149,9 @@ class LoadGridmap : public testing::Test
   void TearDown() override { std::remove(path_.c_str()); }
   void use(const std::string& name) { path_ = testing::TempDir() + name; }
 
-  std::string loadError(std::optional<double> resolution_m = std::nullopt) const
+  std::string loadError() const
   {
-    return test::thrownText<GridmapError>([&] { loadGridmap(path_, resolution_m); });
+    return test::thrownText<GridmapError>([this] { loadGridmap(path_); });
   }
 
   std::string path_;
@@ -164,7 +164,7 @@ TEST_F(LoadGridmap, readsMrptsGrids)
     mrpt::io::CFileGZOutputStream file(path_);
     mrpt::serialization::archiveFrom(file) << room();
   }
-  EXPECT_NEAR(range_m(loadGridmap(path_, std::nullopt), {0.1, 0.1}, 90), 1.15, 1e-12);
+  EXPECT_NEAR(range_m(loadGridmap(path_), {0.1, 0.1}, 90), 1.15, 1e-12);
 }
 
 TEST_F(LoadGridmap, readsImagesWithAResolution)
@@ -174,11 +174,10 @@ TEST_F(LoadGridmap, readsImagesWithAResolution)
   image << "P2\n8 4\n255\n";
   for (int row = 0; row < 4; ++row) image << "255 255 255 255 255 255 255 0\n";
   image.close();
-  const GridmapRanges map = loadGridmap(path_, 0.5);
+  const GridmapRanges map = loadImageAsGridmap(path_, 0.5);
   EXPECT_EQ(map.columns(), 8);
   EXPECT_EQ(map.cell_m(), 0.5);
   EXPECT_NEAR(range_m(map, {-0.1, 0.1}, 0), 1.6, 0.51) << "the middle is known to a pixel";
-  EXPECT_TRUE(test::says(loadError(), {path_, "size of a pixel is missing"}));
 }
 
 TEST_F(LoadGridmap, namesWhatItCannotRead)
@@ -190,7 +189,9 @@ TEST_F(LoadGridmap, namesWhatItCannotRead)
   EXPECT_TRUE(test::says(loadError(), {path_, "no MRPT grid map"}));
   use("foreign.png");
   std::ofstream(path_) << "something else";
-  EXPECT_TRUE(test::says(loadError(0.05), {path_, "cannot be read as an image"}));
+  EXPECT_TRUE(
+      test::says(test::thrownText<GridmapError>([this] { loadImageAsGridmap(path_, 0.05); }),
+                 {path_, "cannot be read as an image"}));
 }
 }  // namespace
 }  // namespace psmks
