@@ -8,7 +8,6 @@ namespace psmks
 {
 namespace
 {
-constexpr double kDegree_rad = kPi / 180;
 
 // The method's own constants.
 constexpr double kReachGrowth = 1.025;     // a cycle
@@ -18,20 +17,20 @@ constexpr double kForegoneShare = 0.1;     // a side less likely than this is ne
 constexpr double kWayWidth_radii = 1.1;    // half the width that a robot needs on its way
 constexpr double kWayLength_radii = 1.25;  // beside what it drives in kWayTime_s
 constexpr double kWayTime_s = 1;
-constexpr double kStraight_rad = 2 * kDegree_rad;
+constexpr double kStraight_rad = degToRad(2);
 constexpr double kInnerWheelTurn = 1.8;  // of the bearing: the inner wheel is so much slower
 constexpr double kTurnShare = 0.1;       // of the highest speed, on the spot and backward
-constexpr double kSlowTurn_rad = 23 * kDegree_rad;
+constexpr double kSlowTurn_rad = degToRad(23);
 constexpr double kReverse_s = 2;
-constexpr double kSectorEdge_rad = 90.5 * kDegree_rad;
+constexpr double kSectorEdge_rad = degToRad(90.5);
 
 // What it needs beside, so as never to touch a thing and never to stand for long.
 constexpr double kLeastReach_m = 0.3;
-constexpr double kLeastSplitAngle_rad = 10 * kDegree_rad;
+constexpr double kLeastSplitAngle_rad = degToRad(10);
 constexpr double kLookAhead_s = 1.2;
 constexpr double kLookStep_s = 0.2;
 constexpr double kLeastSpeedShare = 0.2;
-constexpr double kGiveWay_rad = 40 * kDegree_rad;
+constexpr double kGiveWay_rad = degToRad(40);
 constexpr double kStandstill_s = 12;
 constexpr double kStandstill_m = 0.4;
 constexpr double kLaneWidth_m = 0.9;
@@ -41,7 +40,7 @@ double bearing_rad(const Eigen::Vector2d& place_m) { return std::atan2(place_m.y
 
 AreaCenterDriver::AreaCenterDriver(const AreaCenterOptions& options, const RobotOptions& robot,
                                    unsigned seed)
-    : options_(options), robot_(robot), random_(seed), reach_m_(options.initialReach_m)
+    : options_(options), robot_(robot), random_(seed), reach_m_(options.fullReach_m)
 {
 }
 
@@ -49,7 +48,7 @@ WheelSpeeds AreaCenterDriver::drive(const DriverView& view)
 {
   moveSplits(view.T_start_odometry.inverse() * T_start_before_);
   T_start_before_ = view.T_start_odometry;
-  const RayFan fan(view.scan, view.T_robot_sensor);
+  const RayFan fan(view.scan, view.T_robot_sensor, options_.fullReach_m);
 
   if (view.bumped) reverseUntil_s_ = view.time_s + kReverse_s;
   if (view.time_s < reverseUntil_s_)
@@ -57,8 +56,8 @@ WheelSpeeds AreaCenterDriver::drive(const DriverView& view)
   watchForStandstill(view, fan);
   if (const auto speeds = turning(view)) return *speeds;
 
-  reach_m_ = std::min(kReachGrowth * reach_m_, options_.initialReach_m);
-  const auto target = this->target(fan, speedOf(view.speeds));
+  reach_m_ = std::min(kReachGrowth * reach_m_, options_.fullReach_m);
+  const auto target = this->target(fan, (view.speeds.left_mps + view.speeds.right_mps) / 2);
   if (!target)
   {
     turnBy(view, kPi);
@@ -70,9 +69,8 @@ WheelSpeeds AreaCenterDriver::drive(const DriverView& view)
     if (isSafe(speeds, fan)) return speeds;
     speeds = {speeds.left_mps / 2, speeds.right_mps / 2};
   }
-  const RayFan near = fan.clipped(options_.initialReach_m);
-  const bool leftIsFreer = near.sector(0, kSectorEdge_rad).meanRange_m() >
-                           near.sector(-kSectorEdge_rad, 0).meanRange_m();
+  const bool leftIsFreer =
+      fan.sector(0, kSectorEdge_rad).meanRange_m() > fan.sector(-kSectorEdge_rad, 0).meanRange_m();
   turnBy(view, leftIsFreer ? kGiveWay_rad : -kGiveWay_rad);
   return {};
 }
@@ -104,7 +102,7 @@ void AreaCenterDriver::watchForStandstill(const DriverView& view, const RayFan& 
 
   std::uniform_real_distribution<double> favour(0.7, 1.3);
   double longest_m = 0, best_rad = 0;
-  for (double bearing = -kPi / 2; bearing <= kPi / 2; bearing += 5 * kDegree_rad)
+  for (double bearing = -kPi / 2; bearing <= kPi / 2; bearing += degToRad(5))
   {
     const double lane_m = fan.lane_m(bearing, kLaneWidth_m) * favour(random_);
     if (lane_m <= longest_m) continue;
@@ -116,7 +114,7 @@ void AreaCenterDriver::watchForStandstill(const DriverView& view, const RayFan& 
 
 void AreaCenterDriver::beCautious()
 {
-  reach_m_ = kCautiousShare * options_.initialReach_m;
+  reach_m_ = kCautiousShare * options_.fullReach_m;
   rightSplit_m_.reset();
   leftSplit_m_.reset();
 }
@@ -177,8 +175,8 @@ std::optional<AreaCenterDriver::Target> AreaCenterDriver::split(const RayFan& se
   const double leftShare = static_cast<double>(left.count()) / fan.count();
   if (std::max(rightShare, leftShare) < kLeastSideShare) return std::nullopt;
 
-  const double rightReach_m = std::max(kLeastReach_m, rightShare * options_.initialReach_m);
-  const double leftReach_m = std::max(kLeastReach_m, leftShare * options_.initialReach_m);
+  const double rightReach_m = std::max(kLeastReach_m, rightShare * options_.fullReach_m);
+  const double leftReach_m = std::max(kLeastReach_m, leftShare * options_.fullReach_m);
   const auto toRight = centreOf(right.clipped(rightReach_m), fan, speed_mps);
   const auto toLeft = centreOf(left.clipped(leftReach_m), fan, speed_mps);
   if (!toRight && !toLeft) return std::nullopt;
@@ -198,7 +196,7 @@ std::optional<AreaCenterDriver::Target> AreaCenterDriver::split(const RayFan& se
 bool AreaCenterDriver::isAccessible(const Eigen::Vector2d& centre_m, const RayFan& fan,
                                     double speed_mps) const
 {
-  const bool full = !rightSplit_m_ && !leftSplit_m_ && reach_m_ >= options_.initialReach_m;
+  const bool full = !rightSplit_m_ && !leftSplit_m_ && reach_m_ >= options_.fullReach_m;
   if (full && centre_m.norm() < 2 * robot_.radius_m) return false;
   if (fan.outlineDistance_m(centre_m) <= robot_.radius_m) return false;
 
@@ -216,7 +214,7 @@ WheelSpeeds AreaCenterDriver::toward(const Target& target) const
 {
   const double half_rad = target.halfAngle_rad;
   const double sinc = half_rad > 0 ? std::sin(half_rad) / half_rad : 1;
-  const double free_m = 2.0 / 3 * options_.initialReach_m * sinc;
+  const double free_m = 2.0 / 3 * options_.fullReach_m * sinc;
   const double full_mps = options_.gain * robot_.maxSpeed_mps * target.place_m.norm() / free_m;
 
   const double aside_rad = bearing_rad(target.place_m);
@@ -239,8 +237,4 @@ bool AreaCenterDriver::isSafe(const WheelSpeeds& speeds, const RayFan& fan) cons
   return true;
 }
 
-double AreaCenterDriver::speedOf(const WheelSpeeds& speeds) const
-{
-  return (speeds.left_mps + speeds.right_mps) / 2;
-}
 }  // namespace psmks

@@ -11,8 +11,8 @@ namespace psmks
 {
 struct AreaCenterOptions
 {
-  double gain = 0.5;          //!< of the speed: 1.2 m/s times it in open space
-  double initialReach_m = 5;  //!< ranges are clipped to the reach, which is never more than this
+  double gain = 0.48;      //!< of the speed: in open space the share of the robot's highest one
+  double fullReach_m = 5;  //!< nothing beyond it counts, however far the scanner sees
 };
 
 /** Drives where the free space is: toward the centre of the area the scanner sees (the paper's
@@ -51,7 +51,6 @@ class AreaCenterDriver : public Driver
   bool isAccessible(const Eigen::Vector2d& centre_m, const RayFan& fan, double speed_mps) const;
   WheelSpeeds toward(const Target& target) const;
   bool isSafe(const WheelSpeeds& speeds, const RayFan& fan) const;
-  double speedOf(const WheelSpeeds& speeds) const;
   RayFan openSector(const RayFan& fan) const;
 
   AreaCenterOptions options_;

@@ -11,7 +11,7 @@ namespace psmks
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kForward_rad = 90.5 * kPi / 180;  // a scanner of 180 degrees with its outer rays
+constexpr double kForward_rad = degToRad(90.5);  // a scanner of 180 degrees with its outer rays
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
@@ -32,12 +32,12 @@ double weight(const RayFan::End& right, const RayFan::End& left)
 }
 }  // namespace
 
-RayFan::RayFan(const Scan& scan, const Pose2& T_robot_sensor)
+RayFan::RayFan(const Scan& scan, const Pose2& T_robot_sensor, double farthest_m)
 {
   for (int ray = 0; ray < scan.grid.count(); ++ray)
   {
     const double measured_m = scan.range_m[static_cast<std::size_t>(ray)];
-    const double range_m = measured_m > 0 ? measured_m : scan.maxRange_m;
+    const double range_m = measured_m > 0 ? std::min(measured_m, farthest_m) : farthest_m;
     const Eigen::Vector2d point_m = T_robot_sensor * (range_m * scan.grid.direction(ray));
     const End end{point_m, std::atan2(point_m.y(), point_m.x()), point_m.norm()};
     if (std::abs(end.bearing_rad) <= kForward_rad) ends_.push_back(end);

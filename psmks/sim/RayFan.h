@@ -20,9 +20,10 @@ class RayFan
     double bearing_rad, range_m;
   };
 
-  /** The rays of a scan that point forward, at most 90.5 degrees aside. One without return is as
-   *  long as the scanner sees. */
-  RayFan(const Scan& scan, const Pose2& T_robot_sensor);
+  /** The rays of a scan that point forward, at most 90.5 degrees aside. Those that are longer and
+   *  those without return end there.
+   *  @param farthest_m from the scanner */
+  RayFan(const Scan& scan, const Pose2& T_robot_sensor, double farthest_m);
 
   /** The part between two bearings. */
   RayFan sector(double right_rad, double left_rad) const;

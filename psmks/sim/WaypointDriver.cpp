@@ -9,9 +9,9 @@ namespace psmks
 namespace
 {
 constexpr double kArrived_m = 0.1;
-constexpr double kAlongRoute_m = 0.05;                 // the target moves along the route so finely
-constexpr double kTurnOnTheSpot_rad = 60 * kPi / 180;  // bearing of the target
-constexpr double kReaction_s = 0.5;                    // a bearing is turned away in such a time
+constexpr double kAlongRoute_m = 0.05;               // the target moves along the route so finely
+constexpr double kTurnOnTheSpot_rad = degToRad(60);  // bearing of the target
+constexpr double kReaction_s = 0.5;                  // a bearing is turned away in such a time
 
 WheelSpeeds wheelSpeeds(double forward_mps, double rate_radps, double track_m)
 {
