@@ -30,6 +30,7 @@ class Frontage
   Frontage(const Eigen::Vector2d& a_m, const Eigen::Vector2d& b_m);
 
   double length_m() const { return length_m_; }
+  double angle_rad() const { return T_world_a_.phi_rad; }
 
   /** Features may come in any order but must not overlap. */
   void add(const Feature& feature) { features_.push_back(feature); }

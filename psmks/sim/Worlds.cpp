@@ -1,6 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/sim/Campus.h>
 #include <psmks/sim/ClutteredRoom.h>
 #include <psmks/sim/Corridors.h>
+#include <psmks/sim/Office.h>
 #include <psmks/sim/Worlds.h>
 
 #include <array>
@@ -16,8 +18,9 @@ struct Maker
   Site (*make)(unsigned seed);
 };
 
-constexpr std::array kMakers{Maker{"room", makeRoom}, Maker{"clutter", makeClutter},
-                             Maker{"curved", makeCurved}, Maker{"corridors", makeCorridors}};
+constexpr std::array kMakers{Maker{"room", makeRoom},     Maker{"clutter", makeClutter},
+                             Maker{"curved", makeCurved}, Maker{"corridors", makeCorridors},
+                             Maker{"office", makeOffice}, Maker{"campus", makeCampus}};
 }  // namespace
 
 std::vector<std::string> siteNames()
