@@ -21,6 +21,7 @@ const Colour kStart(60, 150, 30);
 const Colour kEnd(40, 30, 200);
 
 constexpr double kMargin_m = 1.0;
+constexpr double kLegendStrip = 0.2;  // of the longer side: above the world
 constexpr double kWallWidth = 2, kRouteWidth = 3, kPathWidth = 1.2, kMovingWidth = 1;  // hairlines
 
 std::vector<Eigen::Vector2d> placesOf(const std::vector<Pose2>& path)
@@ -108,7 +109,8 @@ bool saveWorldPicture(const WorldPicture& picture, const std::string& path)
   const Eigen::AlignedBox2d bounds = boundsOf(picture);
   if (bounds.isEmpty()) return false;
   const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(kMargin_m);
-  MapSheet sheet({bounds.min() - margin_m, bounds.max() + margin_m});
+  const Eigen::Vector2d strip_m(0, kLegendStrip * bounds.sizes().maxCoeff());
+  MapSheet sheet({bounds.min() - margin_m, bounds.max() + margin_m + strip_m});
   sheet.drawGrid();
   drawPath(sheet, picture.route, kRoute, kRouteWidth);
   drawWorld(sheet, picture.world);

@@ -1,0 +1,48 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace psmks
+{
+/** What the user typed. */
+struct CommandLine
+{
+  std::string world;
+  std::optional<double> resolution_m;  //!< of a world that is an image
+  std::optional<double> startX_m, startY_m, startPhi_deg;
+  int people = 0;
+
+  std::string driver;  //!< empty: by a route where there is one
+  std::string route;   //!< empty: the world's
+  double minutes = 10;
+  unsigned seed = 1;
+  double wheelNoise = 0.05;
+
+  int rays = 181;
+  double fieldOfView_deg = 180;
+  double maxRange_m = 30;
+  double rangeSigma_m = 0.01;
+  double quantum_m = 0;
+  double dropOutShare = 0;
+  double beamDivergence_deg = 0;
+  double sweep_s = 0;
+  double laserX_m = 0, laserY_m = 0, laserPhi_deg = 0;
+
+  std::string output;
+  std::string format = "actions";
+  bool overwrite = false;
+  bool listWorlds = false;
+};
+
+/** @return the command line, or the exit code where there is nothing to run: --help, --version, or
+ * an error that was told already */
+struct ParsedCommandLine
+{
+  std::optional<CommandLine> commandLine;
+  int exitCode = 0;
+};
+
+ParsedCommandLine parseCommandLine(int argc, char** argv);
+}  // namespace psmks

@@ -1,0 +1,70 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-simulate/OutputFiles.h>
+#include <apps/support/ExitCode.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace psmks
+{
+namespace
+{
+std::string stemOf(const std::string& rawlog)
+{
+  std::filesystem::path path(rawlog);
+  if (path.extension() != ".rawlog")
+    throw ProgramError(kUsage, "'" + rawlog + "' does not end in .rawlog");
+  return path.replace_extension().string();
+}
+
+void require(bool written, const std::string& path)
+{
+  if (!written) throw ProgramError(kUsage, "cannot write '" + path + "'");
+}
+
+template <class Write>
+void writeText(const std::string& path, Write write)
+{
+  std::ofstream file(path);
+  write(file);
+  file.close();
+  require(!file.fail(), path);
+}
+
+Trajectory truthOf(const Recording& recording)
+{
+  Trajectory truth;
+  for (const auto& scan : recording.scans)
+    truth.push_back({RawlogWriter::loggedStamp_s(scan.simulated.scan.stamp_s), scan.T_world_robot});
+  return truth;
+}
+}  // namespace
+
+OutputFiles::OutputFiles(const std::string& rawlog, bool overwrite,
+                         const RawlogWriter::Options& options)
+    : stem_(stemOf(rawlog)), writer_(options)
+{
+  for (const auto& file : {this->rawlog(), tum(), groundTruth(), picture()})
+    if (!overwrite && std::filesystem::exists(file))
+      throw ProgramError(kUsage, "'" + file + "' exists, add --overwrite or name another");
+  require(writer_.open(this->rawlog()), this->rawlog());
+}
+
+void OutputFiles::write(const Recording& recording, double rangeSigma_m)
+{
+  for (const auto& recorded : recording.scans)
+  {
+    Scan scan = recorded.simulated.scan;
+    scan.rangeSigma_m = rangeSigma_m;
+    writer_.write(scan, recorded.T_start_odometry);
+  }
+  const Trajectory truth = truthOf(recording);
+  writeText(tum(), [&](auto& out) { writeTum(out, truth); });
+  writeText(groundTruth(), [&](auto& out) { writeMrptGroundTruth(out, truth); });
+}
+
+void OutputFiles::write(const WorldPicture& worldPicture) const
+{
+  require(saveWorldPicture(worldPicture, picture()), picture());
+}
+}  // namespace psmks
