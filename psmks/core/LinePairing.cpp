@@ -2,6 +2,7 @@
 #include <psmks/core/FreeStanding.h>
 #include <psmks/core/LinePairing.h>
 #include <psmks/core/Patches.h>
+#include <psmks/core/ShortLines.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -47,21 +48,27 @@ class Pairing
 
   int run()
   {
-    for (std::size_t c = 0; c < cur_.scan->segments.size(); ++c) pairSegment(c);
+    for (std::size_t c = 0; c < straights(cur_); ++c) pairStraight(c);
     pairSingles(cur_, ref_, T_ref_cur_, true);
     pairSingles(ref_, cur_, T_ref_cur_.inverse(), false);
     return associations_;
   }
 
  private:
+  /** How many of a scan's straight lines are to be paired. */
+  std::size_t straights(const MatchView& view) const
+  {
+    return gates_.shortLines ? view.straights.size() : view.scan->segments.size();
+  }
+
   double index(const Eigen::Vector2d& p_ref_m) const
   {
     return ref_.scan->grid.index(std::atan2(p_ref_m.y(), p_ref_m.x()));
   }
 
-  void pairSegment(std::size_t c)
+  void pairStraight(std::size_t c)
   {
-    const Segment& segment = cur_.scan->segments[c];
+    const Segment& segment = cur_.straights[c];
     const Eigen::Vector2d first_m = T_ref_cur_ * segment.firstEnd_m;
     const Eigen::Vector2d last_m = T_ref_cur_ * segment.lastEnd_m;
     const Eigen::Vector2d normal = R_ * cur_.lines[c].normal;
@@ -72,9 +79,9 @@ class Pairing
     if (last < first) last += ref_.scan->grid.closed() ? circle : 0;
     if (!(last > first)) return;
 
-    for (std::size_t r = 0; r < ref_.scan->segments.size(); ++r)
+    for (std::size_t r = 0; r < straights(ref_); ++r)
     {
-      const Segment& other = ref_.scan->segments[r];
+      const Segment& other = ref_.straights[r];
       const double refFirst = other.firstRay;
       const double refLast = other.lastRay + (other.lastRay < other.firstRay ? circle : 0);
       tryPair(c, r, {std::max(first, refFirst), std::min(last, refLast)}, normal, first_m);
@@ -97,7 +104,7 @@ class Pairing
     const double sine = ref.normal.x() * normal.y() - ref.normal.y() * normal.x();
     if (ref.normal.dot(normal) <= 0 || std::abs(sine) > std::sin(gates_.angle_rad)) return;
     const double curDistance_m = normal.dot(pointOnCurrent_m);
-    const double refDistance_m = ref_.scan->segments[r].line.r0_m;
+    const double refDistance_m = ref_.straights[r].line.r0_m;
     for (const double at : {shared.first, shared.last})
     {
       const int ray = static_cast<int>(at + 0.5) % ref_.scan->rays();
@@ -117,8 +124,7 @@ class Pairing
     const AnchoredLine& cur = cur_.lines[c];
     const Eigen::Vector2d anchor_ref_m = T_ref_cur_ * cur.anchor_m;
     const double along_m = ref.along.dot(anchor_ref_m - ref.anchor_m);
-    const double angle_rad =
-        cur_.scan->segments[c].line.phi0_rad - ref_.scan->segments[r].line.phi0_rad;
+    const double angle_rad = cur_.straights[c].line.phi0_rad - ref_.straights[r].line.phi0_rad;
     const Eigen::Matrix2d covariance = pairCovariance(ref, cur, along_m);
     problem_.linePairs.push_back({ref.normal, ref.normal.dot(ref.anchor_m), cur.anchor_m,
                                   wrapAngle(angle_rad), covariance.inverse(), covariance(1, 1)});
@@ -132,6 +138,7 @@ class Pairing
     const double rangeVariance_m2 = from.scan->rangeSigma_m * from.scan->rangeSigma_m;
     for (const int single : from.singles)
     {
+      if (gates_.shortLines && isOnStraight(from, single)) continue;
       const Eigen::Vector2d point_m = from.scan->point_m(single);
       const Eigen::Vector2d p_m = R * point_m + t;
       const int line = nearestLine(to, p_m);
@@ -145,6 +152,12 @@ class Pairing
                                gates_.singleRayWeight / variance_m2});
       ++associations_;
     }
+  }
+
+  static bool isOnStraight(const MatchView& view, int ray)
+  {
+    const int line = view.lineOfRay[static_cast<std::size_t>(ray)];
+    return line >= 0 && line < static_cast<int>(view.straights.size());
   }
 
   /** Of the lines at the bearing of a point the nearer one within the gate, or -1. */
@@ -183,8 +196,13 @@ void MatchView::build(const SegmentedScan& segmented)
   findFreeStanding(segmented, movable);
   points.build(segmented, movable);
   lines.clear();
-  for (const Segment& segment : segmented.segments) lines.emplace_back(segment.line);
+  findShortLines(segmented, straights);
+  straights.insert(straights.begin(), segmented.segments.begin(), segmented.segments.end());
+  for (const Segment& straight : straights) lines.emplace_back(straight.line);
   lineOfRay = segmented.segmentOfRay;
+  for (std::size_t s = segmented.segments.size(); s < straights.size(); ++s)
+    for (int ray = straights[s].firstRay; ray <= straights[s].lastRay; ++ray)
+      lineOfRay[static_cast<std::size_t>(ray)] = static_cast<int>(s);
   appendPatches(segmented, lines, lineOfRay);
   surface.build(segmented, lines, lineOfRay, movable);
   singles.clear();

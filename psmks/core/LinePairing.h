@@ -18,7 +18,8 @@ struct MatchView
   PolarSurface surface;
   RayPoints points;
 
-  std::vector<AnchoredLine> lines;    //!< one per segment, in their order, then the patches
+  std::vector<Segment> straights;     //!< the segments, in their order, then the short lines
+  std::vector<AnchoredLine> lines;    //!< one per straight, in their order, then the patches
   std::vector<int> lineOfRay;         //!< index into lines, or -1
   std::vector<std::uint8_t> movable;  //!< one flag per ray, see FreeStanding.h
   std::vector<int> singles;           //!< valid rays without a segment
@@ -34,13 +35,15 @@ struct PairingGates
   double angle_rad;
   double singleRayWeight;
   double singleRaySlack_m = 0;  //!< standard deviation added to the distances of single rays
+  bool shortLines = false;      //!< whether short lines are paired, their rays then being none
 };
 
 /** Associates lines and single rays of two scans at a pose and appends them to a problem.
  *
  * Lines (paper, section 2.1): a current segment goes with every reference segment that it covers
  * when seen from the reference viewpoint, where both stand within the gates over the rays they
- * share and are seen from the same side. Single rays, in both directions: with the segment or
+ * share and are seen from the same side. So do short
+ * lines where the gates ask for them. Single rays, in both directions: with the segment or
  * patch of the other scan at their bearing, of two at a boundary the nearer.
  *
  * Differs from the paper: whole lines are compared with the covariances of both, instead of the

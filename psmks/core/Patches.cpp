@@ -29,7 +29,10 @@ class PatchFinder
   }
 
  private:
-  bool single(int ray) const { return scan_.isValid(ray) && !scan_.segmentAt(ray); }
+  bool single(int ray) const
+  {
+    return scan_.isValid(ray) && lineOfRay_[static_cast<std::size_t>(ray)] < 0;
+  }
 
   /** The patch that begins at a ray, if any.
    *  @return its last ray, or the ray itself */

@@ -1,0 +1,97 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/LineSums.h>
+#include <psmks/core/ShortLines.h>
+
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+constexpr int kFewestRays = 3;
+constexpr double kShortest_m = 0.25;  //!< shorter, it may be round
+constexpr double kGate = 3;           //!< standard deviations
+constexpr double kSteepest = 0.2;     //!< smallest cosine of incidence
+
+class ShortLineFinder
+{
+ public:
+  ShortLineFinder(const SegmentedScan& scan, std::vector<Segment>& lines)
+      : scan_(scan), lines_(lines), variance_m2_(scan.rangeSigma_m * scan.rangeSigma_m)
+  {
+  }
+
+  void run()
+  {
+    for (int first = 0; first + kFewestRays <= scan_.rays();) first = lineFrom(first) + 1;
+  }
+
+ private:
+  bool isSingle(int ray) const { return scan_.isValid(ray) && !scan_.segmentAt(ray); }
+
+  MeasuredRay measured(int ray) const
+  {
+    const auto i = static_cast<std::size_t>(ray);
+    return {scan_.grid.cosines()[i], scan_.grid.sines()[i], scan_.range_m[i], 1 / scan_.range_m[i]};
+  }
+
+  /** The line that begins at a ray, if any.
+   *  @return its last ray, or the ray itself */
+  int lineFrom(int first)
+  {
+    LineSums sums;
+    LineSums::Solution line{};
+    int last = first - 1;
+    for (int ray = first; ray < scan_.rays() && isSingle(ray); ++ray)
+    {
+      LineSums more = sums;
+      more.add(measured(ray));
+      LineSums::Solution longer{};
+      if (more.rays() >= kFewestRays)
+      {
+        if (!more.solve(longer)) break;
+        if (longer.chi2 - line.chi2 > kGate * kGate * variance_m2_) break;
+      }
+      sums = more;
+      line = longer;
+      last = ray;
+    }
+    if (sums.rays() < kFewestRays || !keep(line, sums.rays(), first, last)) return first;
+    return last;
+  }
+
+  bool keep(const LineSums::Solution& solution, int rays, int first, int last)
+  {
+    Segment segment;
+    segment.line = solution.line(variance_m2_);
+    segment.firstRay = first;
+    segment.lastRay = last;
+    segment.rays = rays;
+    segment.sigma_m = std::sqrt(solution.chi2 / (rays - 2));
+    segment.firstEnd_m = endAt(segment.line, first);
+    segment.lastEnd_m = endAt(segment.line, last);
+    const Eigen::Vector2d normal = segment.line.normal();
+    const bool isSeen = normal.dot(scan_.grid.direction(first)) > kSteepest &&
+                        normal.dot(scan_.grid.direction(last)) > kSteepest;
+    if (!isSeen || segment.length_m() < kShortest_m) return false;
+    lines_.push_back(segment);
+    return true;
+  }
+
+  Eigen::Vector2d endAt(const Line& line, int ray) const
+  {
+    return line.rangeAt_m(scan_.grid.bearing_rad(ray)) * scan_.grid.direction(ray);
+  }
+
+  const SegmentedScan& scan_;
+  std::vector<Segment>& lines_;
+  double variance_m2_;
+};
+}  // namespace
+
+void findShortLines(const SegmentedScan& scan, std::vector<Segment>& lines)
+{
+  lines.clear();
+  ShortLineFinder(scan, lines).run();
+}
+}  // namespace psmks
