@@ -63,12 +63,7 @@ WheelSpeeds AreaCenterDriver::drive(const DriverView& view)
     turnBy(view, kPi);
     return {};
   }
-  WheelSpeeds speeds = toward(*target);
-  for (double share = 1; share >= kLeastSpeedShare; share /= 2)
-  {
-    if (isSafe(speeds, fan)) return speeds;
-    speeds = {speeds.left_mps / 2, speeds.right_mps / 2};
-  }
+  if (const auto speeds = safe(toward(*target), fan)) return *speeds;
   const bool leftIsFreer =
       fan.sector(0, kSectorEdge_rad).meanRange_m() > fan.sector(-kSectorEdge_rad, 0).meanRange_m();
   turnBy(view, leftIsFreer ? kGiveWay_rad : -kGiveWay_rad);
@@ -150,7 +145,7 @@ std::optional<AreaCenterDriver::Target> AreaCenterDriver::target(const RayFan& f
 {
   const RayFan sector = openSector(fan).clipped(reach_m_);
   if (const auto found = centreOf(sector, fan, speed_mps)) return found;
-  if (const auto found = split(sector, sector.areaCentre_m(), fan, speed_mps)) return found;
+  if (const auto found = split(sector, fan, speed_mps)) return found;
   beCautious();
   return centreOf(fan.clipped(reach_m_), fan, speed_mps);
 }
@@ -159,37 +154,42 @@ std::optional<AreaCenterDriver::Target> AreaCenterDriver::centreOf(const RayFan&
                                                                    const RayFan& fan,
                                                                    double speed_mps) const
 {
+  if (sector.area_m2() <= 0) return std::nullopt;
   const Eigen::Vector2d centre_m = sector.areaCentre_m();
   if (!isAccessible(centre_m, fan, speed_mps)) return std::nullopt;
   return Target{centre_m, sector.halfAngle_rad()};
 }
 
 std::optional<AreaCenterDriver::Target> AreaCenterDriver::split(const RayFan& sector,
-                                                                const Eigen::Vector2d& centre_m,
                                                                 const RayFan& fan, double speed_mps)
 {
+  const Eigen::Vector2d centre_m = sector.areaCentre_m();
   const double at_rad = bearing_rad(centre_m);
-  const RayFan right = sector.sector(-kSectorEdge_rad, at_rad);
-  const RayFan left = sector.sector(at_rad, kSectorEdge_rad);
-  const double rightShare = static_cast<double>(right.count()) / fan.count();
-  const double leftShare = static_cast<double>(left.count()) / fan.count();
-  if (std::max(rightShare, leftShare) < kLeastSideShare) return std::nullopt;
+  const Side right = side(sector.sector(-kSectorEdge_rad, at_rad), fan, speed_mps);
+  const Side left = side(sector.sector(at_rad, kSectorEdge_rad), fan, speed_mps);
+  const bool narrow = std::max(right.share, left.share) < kLeastSideShare;
+  if (narrow || (!right.target && !left.target)) return std::nullopt;
 
-  const double rightReach_m = std::max(kLeastReach_m, rightShare * options_.fullReach_m);
-  const double leftReach_m = std::max(kLeastReach_m, leftShare * options_.fullReach_m);
-  const auto toRight = centreOf(right.clipped(rightReach_m), fan, speed_mps);
-  const auto toLeft = centreOf(left.clipped(leftReach_m), fan, speed_mps);
-  if (!toRight && !toLeft) return std::nullopt;
-
-  const double rightWeight = right.count() * right.area_m2();
-  const double leftWeight = left.count() * left.area_m2();
-  double leftLikely = leftWeight / (leftWeight + rightWeight);
-  if (leftLikely < kForegoneShare || !toLeft) leftLikely = 0;
-  if (leftLikely > 1 - kForegoneShare || !toRight) leftLikely = 1;
+  double leftLikely = left.weight / (left.weight + right.weight);
+  if (leftLikely < kForegoneShare) leftLikely = 0;
+  if (leftLikely > 1 - kForegoneShare) leftLikely = 1;
+  if (!left.target) leftLikely = 0;
+  if (!right.target) leftLikely = 1;
   const bool goLeft = std::bernoulli_distribution(leftLikely)(random_);
   (goLeft ? rightSplit_m_ : leftSplit_m_) = centre_m;
-  reach_m_ = goLeft ? leftReach_m : rightReach_m;
-  return goLeft ? toLeft : toRight;
+  reach_m_ = goLeft ? left.reach_m : right.reach_m;
+  return goLeft ? left.target : right.target;
+}
+
+AreaCenterDriver::Side AreaCenterDriver::side(const RayFan& rays, const RayFan& fan,
+                                              double speed_mps) const
+{
+  Side side;
+  side.share = static_cast<double>(rays.count()) / fan.count();
+  side.reach_m = std::max(kLeastReach_m, side.share * options_.fullReach_m);
+  side.weight = rays.count() * rays.area_m2();
+  side.target = centreOf(rays.clipped(side.reach_m), fan, speed_mps);
+  return side;
 }
 
 // The way begins along the heading and bends toward the centre half way.
@@ -223,6 +223,16 @@ WheelSpeeds AreaCenterDriver::toward(const Target& target) const
   const double inner_mps = outer_mps * std::cos(kInnerWheelTurn * aside_rad);
   if (aside_rad > 0) return {inner_mps, outer_mps};
   return {outer_mps, inner_mps};
+}
+
+std::optional<WheelSpeeds> AreaCenterDriver::safe(WheelSpeeds speeds, const RayFan& fan) const
+{
+  for (double share = 1; share >= kLeastSpeedShare; share /= 2)
+  {
+    if (isSafe(speeds, fan)) return speeds;
+    speeds = {speeds.left_mps / 2, speeds.right_mps / 2};
+  }
+  return std::nullopt;
 }
 
 bool AreaCenterDriver::isSafe(const WheelSpeeds& speeds, const RayFan& fan) const

@@ -38,20 +38,40 @@ class AreaCenterDriver : public Driver
     double halfAngle_rad;
   };
 
-  void moveSplits(const Pose2& T_now_before);
-  void watchForStandstill(const DriverView& view, const RayFan& fan);
-  void beCautious();
-  void turnBy(const DriverView& view, double angle_rad);
+  /** One of the two ways past the place of a split. */
+  struct Side
+  {
+    double share;    //!< of all rays
+    double reach_m;  //!< with which it is looked at
+    double weight;   //!< likely as such
+    std::optional<Target> target;
+  };
 
+  void moveSplits(const Pose2& T_now_before);
+
+  /** Turns to the longest free lane where the robot has hardly moved for a while. */
+  void watchForStandstill(const DriverView& view, const RayFan& fan);
+
+  void turnBy(const DriverView& view, double angle_rad);
   std::optional<WheelSpeeds> turning(const DriverView& view);
+
+  /** Forgets all splits and looks at what is near. */
+  void beCautious();
+
+  /** The centre of the open sector, or of one side of it, or at last of what is near. */
   std::optional<Target> target(const RayFan& fan, double speed_mps);
+  /** Chooses a side and remembers the place of the split. */
+  std::optional<Target> split(const RayFan& sector, const RayFan& fan, double speed_mps);
+  Side side(const RayFan& rays, const RayFan& fan, double speed_mps) const;
   std::optional<Target> centreOf(const RayFan& sector, const RayFan& fan, double speed_mps) const;
-  std::optional<Target> split(const RayFan& sector, const Eigen::Vector2d& centre_m,
-                              const RayFan& fan, double speed_mps);
   bool isAccessible(const Eigen::Vector2d& centre_m, const RayFan& fan, double speed_mps) const;
-  WheelSpeeds toward(const Target& target) const;
-  bool isSafe(const WheelSpeeds& speeds, const RayFan& fan) const;
   RayFan openSector(const RayFan& fan) const;
+
+  WheelSpeeds toward(const Target& target) const;
+
+  /** Slowed down until it leads close to nothing; none where slow is not enough. */
+  std::optional<WheelSpeeds> safe(WheelSpeeds speeds, const RayFan& fan) const;
+  bool isSafe(const WheelSpeeds& speeds, const RayFan& fan) const;
 
   AreaCenterOptions options_;
   RobotOptions robot_;
