@@ -38,8 +38,8 @@ Block addBlock(Building& building, double left_m, double right_m, const std::str
 void addPillars(Building& building, const Room& hall)
 {
   const Eigen::Vector2d size_m(0.3, 0.3);
-  for (const double along : {0.165, 0.5, 0.835})
-    for (const double into : {0.29, 0.75})
+  for (const double along : {0.17, 0.5, 0.83})
+    for (const double into : {0.295, 0.75})
       building.addBox(hall.inTheOpen({along, into}, size_m, 0));
 }
 

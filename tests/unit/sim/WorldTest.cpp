@@ -74,6 +74,56 @@ TEST(World, ClearanceIsTheDistanceToTheNearestWall)
   EXPECT_NEAR(roomWithBox().clearance_m({2.7, 1.6}, 100, 0), 0.5, 1e-12);
 }
 
+//   |
+//   |     o  . -> x      a wall at x = 0, a lone point, an arc of circle 0 and a person
+TEST(World, PointsAreDiscsOfOneCentimetre)
+{
+  World world({{{0, -1}, {0, 1}}});
+  world.addPoint({2, 0});
+  const Hit hit = world.cast({5, 0}, {-1, 0}, 30, 0);
+  EXPECT_DOUBLE_EQ(hit.range_m, 3 - World::kPointRadius_m);
+  EXPECT_EQ(hit.object, World::kLonePoint);
+  EXPECT_EQ(world.cast({5, 0.011}, {-1, 0}, 30, 0).object, 0);
+  EXPECT_DOUBLE_EQ(world.clearance_m({2, 0.5}, 100, 0), 0.5 - World::kPointRadius_m);
+}
+
+TEST(World, ARayMeetsWhatIsBeforeItOnly)
+{
+  World world;
+  world.addPoint({2, 0});
+  EXPECT_EQ(world.cast({1, 0}, {-1, 0}, 30, 0).object, Hit::kNothing);
+}
+
+TEST(World, PointsOfACircleAreOneObject)
+{
+  World world({{{0, -1}, {0, 1}}});
+  world.addArc({{2, 0}, 0.5}, 0, 2 * kPi, 400);
+  EXPECT_EQ(world.points().size(), 400U);
+  EXPECT_EQ(world.cast({5, 0}, {-1, 0}, 30, 0).object, 1);
+  EXPECT_EQ(world.cast({5, 0.3}, {-1, 0}, 30, 0).object, 1);
+  EXPECT_NEAR(world.cast({5, 0}, {-1, 0}, 30, 0).range_m, 2.5 - World::kPointRadius_m, 1e-3);
+}
+
+TEST(World, AnArcIsOpenAndACircleIsClosed)
+{
+  World half, whole;
+  half.addArc({{0, 0}, 1}, 0, kPi, 3);
+  EXPECT_NEAR((half.points()[1].centre_m - Eigen::Vector2d(0, 1)).norm(), 0, 1e-12);
+  EXPECT_NEAR((half.points()[2].centre_m - Eigen::Vector2d(-1, 0)).norm(), 0, 1e-12);
+  whole.addArc({{0, 0}, 1}, 0, 2 * kPi, 4);
+  EXPECT_NEAR((whole.points()[3].centre_m - Eigen::Vector2d(0, -1)).norm(), 0, 1e-12);
+}
+
+TEST(World, APersonIsMetWhereItIsAtThatTime)
+{
+  World world({{{0, -1}, {0, 1}}});
+  world.addMovingObject({0.25, 1, {{2, -3}, {2, 3}}});
+  EXPECT_EQ(world.cast({5, 0}, {-1, 0}, 30, 0).object, 0);
+  EXPECT_EQ(world.cast({5, 0}, {-1, 0}, 30, 3).object, 1);
+  EXPECT_DOUBLE_EQ(world.cast({5, 0}, {-1, 0}, 30, 3).range_m, 2.75);
+  EXPECT_DOUBLE_EQ(world.clearance_m({2, 0}, 100, 1), 1.75);
+}
+
 TEST(World, RandomPosesKeepTheirClearance)
 {
   const World world = roomWithBox();
