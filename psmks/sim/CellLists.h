@@ -2,28 +2,38 @@
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace psmks
 {
 /** Which items lie in each cell of a grid, all lists in one flat array. */
+template <typename Item>
 class CellLists
 {
  public:
   struct Entry
   {
-    int cell, item;
+    int cell;
+    Item item;
   };
 
   struct List
   {
-    const int *first, *last;
-    const int* begin() const { return first; }
-    const int* end() const { return last; }
+    const Item *first, *last;
+    const Item* begin() const { return first; }
+    const Item* end() const { return last; }
   };
 
-  CellLists() = default;
-  CellLists(int cells, const std::vector<Entry>& entries);
+  CellLists(int cells, const std::vector<Entry>& entries)
+      : firstOfCell_(static_cast<std::size_t>(cells) + 1), items_(entries.size())
+  {
+    for (const Entry& entry : entries) ++firstOfCell_[static_cast<std::size_t>(entry.cell) + 1];
+    std::partial_sum(firstOfCell_.begin(), firstOfCell_.end(), firstOfCell_.begin());
+    std::vector<std::size_t> next = firstOfCell_;
+    for (const Entry& entry : entries)
+      items_[next[static_cast<std::size_t>(entry.cell)]++] = entry.item;
+  }
 
   /** In the order of the entries. */
   List operator[](int cell) const
@@ -34,6 +44,6 @@ class CellLists
 
  private:
   std::vector<std::size_t> firstOfCell_;  //!< and the end of the last one
-  std::vector<int> items_;
+  std::vector<Item> items_;
 };
 }  // namespace psmks

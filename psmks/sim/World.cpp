@@ -19,17 +19,17 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 
 }  // namespace
 
-// origin + range * direction = a + share * (b - a), 0 <= share <= 1; solved by crossing both sides
-// with (b - a) and with direction.
+// origin + range * direction = a + share * (b - a), 0 <= share <= 1; crossing both sides with (b -
+// a) and with direction gives range and share, each times the same slope. Only a hit costs a
+// division.
 double World::Wall::rangeAlong_m(const Eigen::Vector2d& origin_m,
                                  const Eigen::Vector2d& direction) const
 {
   const Eigen::Vector2d along = b - a, toWall = a - origin_m;
-  const double slope = cross(direction, along);
-  const double range_m = cross(toWall, along) / slope;
-  const double share = cross(toWall, direction) / slope;
-  const bool meets = slope != 0 && range_m > 0 && share >= 0 && share <= 1;
-  return meets ? range_m : std::numeric_limits<double>::infinity();
+  const double slope = cross(direction, along), sign = slope < 0 ? -1 : 1;
+  const double share = sign * cross(toWall, direction), range = sign * cross(toWall, along);
+  const bool meets = slope != 0 && range > 0 && share >= 0 && share <= std::abs(slope);
+  return meets ? range / std::abs(slope) : std::numeric_limits<double>::infinity();
 }
 
 double World::Wall::distance_m(const Eigen::Vector2d& point_m) const

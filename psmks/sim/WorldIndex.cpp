@@ -48,9 +48,9 @@ bool lineMeetsSquare(const World::Wall& wall, const Eigen::Vector2d& centre_m, d
   return std::abs(across) <= half_m * along.lpNorm<1>();
 }
 
-std::vector<CellLists::Entry> wallsOfCells(const World& world, const UniformGrid& grid)
+std::vector<CellLists<int>::Entry> wallsOfCells(const World& world, const UniformGrid& grid)
 {
-  std::vector<CellLists::Entry> entries;
+  std::vector<CellLists<int>::Entry> entries;
   const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(kMargin_m);
   for (std::size_t w = 0; w < world.walls().size(); ++w)
   {
@@ -66,17 +66,17 @@ std::vector<CellLists::Entry> wallsOfCells(const World& world, const UniformGrid
   return entries;
 }
 
-std::vector<CellLists::Entry> pointsOfCells(const World& world, const UniformGrid& grid)
+std::vector<CellLists<World::Point>::Entry> pointsOfCells(const World& world,
+                                                          const UniformGrid& grid)
 {
-  std::vector<CellLists::Entry> entries;
+  std::vector<CellLists<World::Point>::Entry> entries;
   const Eigen::Vector2d reach_m = Eigen::Vector2d::Constant(World::kPointRadius_m + kMargin_m);
-  for (std::size_t p = 0; p < world.points().size(); ++p)
+  for (const World::Point& point : world.points())
   {
-    const Eigen::Vector2d& centre_m = world.points()[p].centre_m;
     const auto enter = [&](int column, int row) {
-      entries.push_back({grid.cell(column, row), static_cast<int>(p)});
+      entries.push_back({grid.cell(column, row), point});
     };
-    forCellsBetween(grid, centre_m - reach_m, centre_m + reach_m, enter);
+    forCellsBetween(grid, point.centre_m - reach_m, point.centre_m + reach_m, enter);
   }
   return entries;
 }
@@ -107,11 +107,8 @@ void WorldIndex::castInCell(int cell, const Eigen::Vector2d& origin_m,
 {
   for (const int w : walls_[cell])
     nearest.take(world_.walls()[static_cast<std::size_t>(w)].rangeAlong_m(origin_m, direction), w);
-  for (const int p : points_[cell])
-  {
-    const World::Point& point = world_.points()[static_cast<std::size_t>(p)];
+  for (const World::Point& point : points_[cell])
     nearest.take(point.disc().rangeAlong_m(origin_m, direction), world_.objectOf(point));
-  }
 }
 
 // Rings of cells around the one of the point, or around the one nearest to it where it lies outside
@@ -147,9 +144,8 @@ double WorldIndex::clearanceInCell_m(int cell, const Eigen::Vector2d& point_m) c
   for (const int w : walls_[cell])
     nearest_m =
         std::min(nearest_m, world_.walls()[static_cast<std::size_t>(w)].distance_m(point_m));
-  for (const int p : points_[cell])
-    nearest_m = std::min(nearest_m,
-                         world_.points()[static_cast<std::size_t>(p)].disc().distance_m(point_m));
+  for (const World::Point& point : points_[cell])
+    nearest_m = std::min(nearest_m, point.disc().distance_m(point_m));
   return nearest_m;
 }
 }  // namespace psmks

@@ -36,6 +36,7 @@ class WorldIndex : public Surroundings
 
   World world_;
   UniformGrid grid_;
-  CellLists walls_, points_;
+  CellLists<int> walls_;  //!< by number
+  CellLists<World::Point> points_;
 };
 }  // namespace psmks
