@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-benchmark/ExperimentsCommand.h>
 #include <apps/psmks-benchmark/PairsCommand.h>
 #include <apps/psmks-benchmark/SegmentationCommand.h>
 #include <apps/support/ExitCode.h>
@@ -14,13 +15,18 @@ int main(int argc, char** argv)
   CLI::App* pairsApp = app.add_subcommand("pairs", "matchers on files of scan pairs");
   CLI::App* segmentationApp =
       app.add_subcommand("segmentation", "Kalman Segmentation on simulated scans");
+  CLI::App* experimentsApp =
+      app.add_subcommand("experiments", "the paper's experiments on simulated drives");
   psmks::PairsCommand pairs(*pairsApp);
   psmks::SegmentationCommand segmentation(*segmentationApp);
+  psmks::ExperimentsCommand experiments(*experimentsApp);
 
   try
   {
     app.parse(argc, argv);
-    return pairsApp->parsed() ? pairs.run() : segmentation.run();
+    if (pairsApp->parsed()) return pairs.run();
+    if (segmentationApp->parsed()) return segmentation.run();
+    return experiments.run();
   }
   catch (const CLI::Success& helpOrVersion)
   {
