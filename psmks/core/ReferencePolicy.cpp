@@ -19,7 +19,7 @@ void listFields(OptionTable& table, ReferenceOptions& o)
   table.add(
       "choice", o.choice, {"sequential", "keyframe", "map"},
       "sequential: the last scan a trigger apart; keyframe: the same for as long as enough of "
-      "it is seen; map: of all keyframes around it the one whose pose is known best");
+      "it is seen; map: the nearest of all keyframes, which are matched against each other");
   table.add("match_every_scan", o.matchEveryScan,
             "false: scans nearer to the reference than the trigger go by odometry (the paper)");
   table.add("trigger_distance_m", o.triggerDistance_m, Unit::Metre, 0, 100,
@@ -34,12 +34,20 @@ void listFields(OptionTable& table, ReferenceOptions& o)
             "keyframe: fewer associated rays and the scan replaces the reference");
   table.add("keyframe_min_score", o.keyframeMinScore, Unit::None, 0, 1,
             "keyframe: a smaller share of rays explained and the scan replaces the reference");
+  table.add("map_spacing_m", o.mapSpacing_m, Unit::Metre, 0, 100,
+            "map: a scan as far from every keyframe becomes one");
+  table.add("map_spacing_deg", o.mapSpacing_rad, Unit::Degree, 0, degToRad(180),
+            "map: a scan turned as far from every keyframe becomes one");
   table.add("map_distance_m", o.mapDistance_m, Unit::Metre, 0, 100,
             "map: a keyframe farther away is no reference");
   table.add("map_angle_deg", o.mapAngle_rad, Unit::Degree, 0, degToRad(180),
             "map: a keyframe turned farther away is no reference");
   table.add("map_min_overlap", o.mapMinOverlap, Unit::None, 0, 1,
             "map: a keyframe that saw a smaller share of the scan is no reference");
+  table.add("map_min_score", o.mapMinScore, Unit::None, 0, 1,
+            "map: a match that explains a smaller share of rays does not tie keyframes");
+  table.add("map_links", o.mapLinks, 0, 1000,
+            "map: a new keyframe is matched against as many of those around it");
   table.add(
       "retry_last_scan", o.retryLastScan,
       "a scan that fails against the reference is matched against the last matched scan, which "
@@ -64,9 +72,15 @@ bool ReferencePolicy::isCandidate(const Pose2& T_keyframe_cur) const
   return !isBeyond(T_keyframe_cur, options_.mapDistance_m, options_.mapAngle_rad);
 }
 
+double ReferencePolicy::remoteness(const Pose2& T_keyframe_cur) const
+{
+  return T_keyframe_cur.translation().norm() / options_.mapDistance_m +
+         std::abs(T_keyframe_cur.phi_rad) / options_.mapAngle_rad;
+}
+
 bool ReferencePolicy::isCovered(const Pose2& T_keyframe_cur) const
 {
-  return !isBeyond(T_keyframe_cur, options_.keyframeDistance_m, options_.keyframeAngle_rad);
+  return !isBeyond(T_keyframe_cur, options_.mapSpacing_m, options_.mapSpacing_rad);
 }
 
 bool ReferencePolicy::isMatched(const Pose2& T_ref_cur) const

@@ -13,7 +13,7 @@ enum class ReferenceChoice
   Sequential,  //!< the last matched scan from which the robot had moved or turned far enough
                //!< (paper)
   Keyframe,    //!< the same scan for as long as enough of it is still seen
-  Map          //!< of all keyframes that share enough with it, the one whose pose is known best
+  Map          //!< the nearest of all keyframes, which are matched against each other
 };
 
 struct ReferenceOptions
@@ -26,9 +26,13 @@ struct ReferenceOptions
   double keyframeAngle_rad = degToRad(40);
   int keyframeMinRays = 30;        //!< associated
   double keyframeMinScore = 0.50;  //!< MatchResult::score
+  double mapSpacing_m = 1.0;
+  double mapSpacing_rad = degToRad(30);
   double mapDistance_m = 4.0;
   double mapAngle_rad = degToRad(60);
   double mapMinOverlap = 0.5;  //!< see overlap()
+  double mapMinScore = 0.8;    //!< MatchResult::score of a match that ties keyframes
+  int mapLinks = 6;            //!< matches that tie a new keyframe to those around it
   bool retryLastScan = true;   //!< after a failure, against the last scan that matched
   int maxFailures = 5;         //!< in a row, then the reference is given up
 };
@@ -58,6 +62,18 @@ class ReferencePolicy
 
   /** Map: whether a keyframe at this guessed pose may serve as the reference of a scan. */
   bool isCandidate(const Pose2& T_keyframe_cur) const;
+
+  /** Map: how far a candidate is, 0 = at the same place, 2 = at the limits of place and heading. */
+  double remoteness(const Pose2& T_keyframe_cur) const;
+
+  /** Map: whether a match is good enough to tie two keyframes: nothing forces it to be used. */
+  bool isLink(const MatchResult& match) const
+  {
+    return match.status == MatchStatus::Converged && match.score >= options_.mapMinScore;
+  }
+
+  /** Map: how many matches tie a new keyframe to others besides the one that made it. */
+  std::size_t mostLinks() const { return static_cast<std::size_t>(options_.mapLinks); }
 
   /** Map: whether a keyframe makes another one at this pose of a scan unnecessary. */
   bool isCovered(const Pose2& T_keyframe_cur) const;

@@ -50,54 +50,18 @@ bool TrajectoryBuilder::isNewReference() const
 {
   const PosedScan& current = scans_.back();
   if (current.matches.empty()) return false;
-  if (policy_.usesMap() && current.isMatched()) return !isCovered(current);
+  if (policy_.usesMap() && current.isMatched()) return !map_.covers(scans_, current);
   return policy_.isReplaced(current.matches.back().result, T_ref_last_.pose, failuresInARow_);
 }
 
-bool TrajectoryBuilder::isCovered(const PosedScan& current) const
+void TrajectoryBuilder::settle()
 {
-  const auto covers = [&](std::size_t keyframe)
+  for (std::size_t s = 0; s < scans_.size(); ++s)
   {
-    const Pose2 T_keyframe_cur =
-        scans_[keyframe].T_world_robot.pose.inverse() * current.T_world_robot.pose;
-    return policy_.isCovered(T_keyframe_cur) && isSeenBy(keyframe, current);
-  };
-  return std::any_of(keyframes_.begin(), keyframes_.end(), covers);
-}
-
-bool TrajectoryBuilder::isSeenBy(std::size_t keyframe, const PosedScan& current) const
-{
-  const PosedScan& reference = scans_[keyframe];
-  const Pose2 T_ref_cur = reference.T_world_sensor().inverse() * current.T_world_sensor();
-  return policy_.isEnough(overlap(reference.scan, current.scan, T_ref_cur));
-}
-
-/** Variance that the pose of a keyframe hands on to a scan matched against it. */
-double TrajectoryBuilder::doubt_m2(std::size_t keyframe, const PosedScan& current) const
-{
-  const UncertainPose& T_world_keyframe = scans_[keyframe].T_world_robot;
-  const Eigen::Matrix3d& covariance = T_world_keyframe.covariance;
-  const Pose2 T_keyframe_cur = T_world_keyframe.pose.inverse() * current.T_world_robot.pose;
-  return covariance(0, 0) + covariance(1, 1) +
-         covariance(2, 2) * T_keyframe_cur.translation().squaredNorm();
-}
-
-std::optional<std::size_t> TrajectoryBuilder::bestKeyframe(const PosedScan& current) const
-{
-  std::optional<std::size_t> best;
-  double bestDoubt_m2 = 0;
-  for (const std::size_t keyframe : keyframes_)
-  {
-    const Pose2 T_keyframe_cur =
-        scans_[keyframe].T_world_robot.pose.inverse() * current.T_world_robot.pose;
-    if (!policy_.isCandidate(T_keyframe_cur)) continue;
-    const double candidateDoubt_m2 = doubt_m2(keyframe, current);
-    if (best && candidateDoubt_m2 >= bestDoubt_m2) continue;
-    if (!isSeenBy(keyframe, current)) continue;
-    best = keyframe;
-    bestDoubt_m2 = candidateDoubt_m2;
+    PosedScan& scan = scans_[s];
+    if (scan.isReference || scan.anchor == s) continue;
+    scan.T_world_robot.pose = scans_[scan.anchor].T_world_robot.pose * scan.T_anchor_robot;
   }
-  return best;
 }
 
 void TrajectoryBuilder::place(PosedScan& current, const std::optional<Pose2>& odometry)
@@ -109,7 +73,7 @@ void TrajectoryBuilder::place(PosedScan& current, const std::optional<Pose2>& od
   if (policy_.usesMap())
   {
     current.T_world_robot = composed(scans_.back().T_world_robot, motion);
-    const auto keyframe = bestKeyframe(current);
+    const auto keyframe = map_.nearest(scans_, current);
     if (keyframe && *keyframe != reference_) returnTo(*keyframe);
   }
   UncertainPose T_ref_cur = composed(T_ref_last_, motion);
@@ -121,12 +85,14 @@ void TrajectoryBuilder::place(PosedScan& current, const std::optional<Pose2>& od
     tryMatch(current, T_ref_cur);
   }
   current.T_world_robot = composed(scans_[reference_].T_world_robot, T_ref_cur);
+  current.anchor = reference_;
+  current.T_anchor_robot = T_ref_cur.pose;
   T_ref_last_ = T_ref_cur;
 }
 
 bool TrajectoryBuilder::tryMatch(PosedScan& current, UncertainPose& T_ref_cur)
 {
-  current.matches.push_back(match(current, T_ref_cur));
+  current.matches.push_back(match(current, reference_, T_ref_cur.pose, T_ref_cur.covariance));
   T_ref_cur = current.matches.back().T_ref_cur;
   if (!current.isMatched())
   {
@@ -144,17 +110,21 @@ UncertainPose TrajectoryBuilder::measuredMotion(const std::optional<Pose2>& odom
   return {scans_.back().T_last_robot.pose, unknownMotionCovariance(odometryOptions_)};
 }
 
-ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, const UncertainPose& guess)
+ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, std::size_t reference,
+                                        const Pose2& T_ref_cur,
+                                        const std::optional<Eigen::Matrix3d>& covariance)
 {
-  const Pose2& mountingRef = scans_[reference_].T_robot_sensor;
+  const Pose2& mountingRef = scans_[reference].T_robot_sensor;
   const Pose2& mountingCur = current.T_robot_sensor;
+  const UncertainPose guess{T_ref_cur, covariance.value_or(Eigen::Matrix3d::Identity())};
   const UncertainPose sensorGuess = conjugated(guess, mountingRef.inverse(), mountingCur.inverse());
 
   ReferenceMatch match;
-  match.reference = reference_;
+  match.reference = reference;
   Stopwatch stopwatch;
-  match.result =
-      matcher_->matchToReference(current.scan, {sensorGuess.pose, sensorGuess.covariance});
+  match.result = matcher_->matchToReference(
+      current.scan, covariance ? Guess{sensorGuess.pose, sensorGuess.covariance}
+                               : Guess{sensorGuess.pose, std::nullopt});
   match.time_s = stopwatch.lap_s();
   match.T_ref_cur =
       conjugated({match.result.T_ref_cur, match.result.covariance}, mountingRef, mountingCur);
@@ -164,11 +134,47 @@ ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, const Uncertai
 void TrajectoryBuilder::makeReference(std::size_t index)
 {
   scans_[index].isReference = true;
-  keyframes_.push_back(index);
+  if (policy_.usesMap()) joinMap(index);
   matcher_->setReference(scans_[index].scan);
   reference_ = index;
   T_ref_last_ = UncertainPose();
   failuresInARow_ = 0;
+}
+
+/** A keyframe of the map hangs on the match that made it, or on odometry, and on matches against
+ * the keyframes around it. */
+void TrajectoryBuilder::joinMap(std::size_t index)
+{
+  PosedScan& keyframe = scans_[index];
+  std::vector<ReferenceMatch> links;
+  if (index > 0)
+  {
+    links.push_back({reference_, T_ref_last_, {}, 0});
+    keyframe.links = matchesAround(keyframe);
+    links.insert(links.end(), keyframe.links.begin(), keyframe.links.end());
+  }
+  map_.add(scans_, index, links);
+}
+
+std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(const PosedScan& current)
+{
+  // Farther from where the map expects it, a match is held for wrong.
+  constexpr double kFarthest_m = 0.5, kFarthest_rad = degToRad(5);
+  std::vector<ReferenceMatch> matches;
+  for (const std::size_t keyframe : map_.around(scans_, current))
+  {
+    if (matches.size() == policy_.mostLinks()) break;
+    if (keyframe == reference_) continue;
+    const PosedScan& other = scans_[keyframe];
+    const Pose2 expected = other.T_world_robot.pose.inverse() * current.T_world_robot.pose;
+    matcher_->setReference(other.scan);
+    const ReferenceMatch found = match(current, keyframe, expected, std::nullopt);
+    const Pose2 moved = expected.inverse() * found.T_ref_cur.pose;
+    if (policy_.isLink(found.result) && moved.translation().norm() < kFarthest_m &&
+        std::abs(moved.phi_rad) < kFarthest_rad)
+      matches.push_back(found);
+  }
+  return matches;
 }
 
 /** The way here and the way there may share errors; taken as independent they make the guess less

@@ -3,8 +3,9 @@
 
 #include <psmks/core/OdometryNoise.h>
 #include <psmks/core/ReferencePolicy.h>
-#include <psmks/mrpt/Convert.h>
+#include <psmks/mrpt/KeyframeMap.h>
 #include <psmks/mrpt/PairMatcher.h>
+#include <psmks/mrpt/PosedScan.h>
 
 #include <memory>
 #include <optional>
@@ -12,34 +13,6 @@
 
 namespace psmks
 {
-/** A match of a scan against the reference that stood then. */
-struct ReferenceMatch
-{
-  std::size_t reference = 0;  //!< index of the reference's frame
-  UncertainPose T_ref_cur;    //!< of the robots, where the result is that of the sensors
-  MatchResult result;
-  double time_s = 0;  //!< wall time of the match, segmentation of the scan included
-};
-
-/** A scan with its place on the trajectory. The world is the frame of the robot at the first scan.
- */
-struct PosedScan
-{
-  Scan scan;
-  Pose2 T_robot_sensor;
-  UncertainPose T_world_robot;
-  UncertainPose T_last_robot;           //!< motion since the scan before, in the robot's frame then
-  Pose2 T_world_odometry;               //!< where the odometry alone puts the robot
-  std::vector<ReferenceMatch> matches;  //!< in the order they were tried; the last one counts
-  bool isReference = false;             //!< now or at some time
-
-  /** False where odometry alone, or nothing, says where the robot stands. */
-  bool isMatched() const { return !matches.empty() && matches.back().result.usable(); }
-
-  double stamp_s() const { return scan.stamp_s; }
-  Pose2 T_world_sensor() const { return T_world_robot.pose * T_robot_sensor; }
-};
-
 /** Builds the trajectory of a robot from its scans and odometry: every scan gets a pose.
  *
  * A scan is matched against the reference that ReferencePolicy keeps, from the last known pose
@@ -60,27 +33,30 @@ class TrajectoryBuilder
   const PosedScan& add(Scan scan, const Pose2& T_robot_sensor,
                        const std::optional<Pose2>& odometry);
 
+  /** Moves every scan to where the reference it hangs on has come to be since: with a map, loops
+   *  that closed later move what was driven before. */
+  void settle();
+
   /** All scans so far, in the order they came. */
   const std::vector<PosedScan>& scans() const { return scans_; }
 
  private:
-  std::optional<std::size_t> bestKeyframe(const PosedScan& current) const;
-  bool isCovered(const PosedScan& current) const;
-  bool isSeenBy(std::size_t keyframe, const PosedScan& current) const;
-  double doubt_m2(std::size_t keyframe, const PosedScan& current) const;
   void place(PosedScan& current, const std::optional<Pose2>& odometry);
   bool tryMatch(PosedScan& current, UncertainPose& T_ref_cur);
   UncertainPose measuredMotion(const std::optional<Pose2>& odometry) const;
-  ReferenceMatch match(const PosedScan& current, const UncertainPose& guess);
+  ReferenceMatch match(const PosedScan& current, std::size_t reference, const Pose2& T_ref_cur,
+                       const std::optional<Eigen::Matrix3d>& covariance);
   bool isNewReference() const;
   void makeReference(std::size_t index);
   void returnTo(std::size_t keyframe);
+  void joinMap(std::size_t index);
+  std::vector<ReferenceMatch> matchesAround(const PosedScan& current);
 
   std::unique_ptr<PairMatcher> matcher_;
   ReferencePolicy policy_;
+  KeyframeMap map_{policy_};
   OdometryOptions odometryOptions_;
   std::vector<PosedScan> scans_;
-  std::vector<std::size_t> keyframes_;  //!< the scans that are or were references
   std::size_t reference_ = 0;
   UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the reference's
   int failuresInARow_ = 0;

@@ -2,6 +2,8 @@
 #include <psmks/core/Angle.h>
 #include <psmks/sim/DriftFloor.h>
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace psmks
@@ -17,6 +19,38 @@ Eigen::Vector3d difference(const Pose2& estimate, const Pose2& truth)
   return {estimate.x_m - truth.x_m, estimate.y_m - truth.y_m,
           wrapAngle(estimate.phi_rad - truth.phi_rad)};
 }
+Pose2 displaced(const Pose2& truth, const Eigen::Vector3d& error)
+{
+  return {truth.x_m + error.x(), truth.y_m + error.y(), wrapAngle(truth.phi_rad + error.z())};
+}
+
+/** The keyframes of a map, by the index of their scans. */
+class FloorMap
+{
+ public:
+  explicit FloorMap(std::size_t scans) : nodeOf_(scans) {}
+
+  /** Its present pose; none for a scan that is no keyframe. */
+  std::optional<Pose2> find(std::size_t scan) const
+  {
+    if (!nodeOf_[scan]) return std::nullopt;
+    return graph_.poses()[*nodeOf_[scan]];
+  }
+
+  /** @param links between scans; those from scans that are no keyframes are left out */
+  void add(std::size_t scan, const Pose2& guess, const std::vector<PoseLink>& links)
+  {
+    nodeOf_[scan] = graph_.add(guess);
+    for (const PoseLink& link : links)
+      if (nodeOf_[link.from])
+        graph_.add({*nodeOf_[link.from], *nodeOf_[scan], link.T_from_to, link.information});
+    graph_.optimise();
+  }
+
+ private:
+  PoseGraph graph_;
+  std::vector<std::optional<std::size_t>> nodeOf_;
+};
 }  // namespace
 
 DriftFloor::DriftFloor(const World& world, const Recording& recording,
@@ -29,34 +63,58 @@ DriftFloor::DriftFloor(const World& world, const Recording& recording,
 {
 }
 
-std::vector<Pose2> DriftFloor::poses(
-    const std::vector<std::optional<std::size_t>>& referenceOf) const
+std::vector<Pose2> DriftFloor::poses(const std::vector<FloorStep>& steps) const
 {
-  std::vector<Pose2> T_world_robot;
-  for (std::size_t scan = 0; scan < referenceOf.size(); ++scan)
+  // Without links between keyframes each pose simply hangs on its reference.
+  const bool withMap = std::any_of(steps.begin(), steps.end(),
+                                   [](const FloorStep& step) { return !step.links.empty(); });
+  std::vector<Pose2> online;  // when the scan came
+  FloorMap map(steps.size());
+  for (std::size_t scan = 0; scan < steps.size(); ++scan)
   {
+    const FloorStep& step = steps[scan];
+    const auto poseOf = [&](std::size_t s) { return map.find(s).value_or(online[s]); };
+    std::vector<PoseLink> links;
     if (scan == 0)
-      T_world_robot.push_back(recording_.scans.front().T_world_robot);
-    else if (referenceOf[scan])
-      T_world_robot.push_back(T_world_robot[*referenceOf[scan]] *
-                              matched(*referenceOf[scan], scan));
+      online.push_back(recording_.scans.front().T_world_robot);
+    else if (!step.reference)
+      online.push_back(online[scan - 1] * measuredMotion(scan - 1, scan));
     else
-      T_world_robot.push_back(T_world_robot[scan - 1] * measuredMotion(scan - 1, scan));
+    {
+      links.push_back(matched(*step.reference, scan));
+      online.push_back(poseOf(*step.reference) * links.front().T_from_to);
+    }
+    if (!withMap || !step.joinsMap) continue;
+    for (const std::size_t other : step.links) links.push_back(linked(other, scan));
+    map.add(scan, online[scan], links);
   }
-  return T_world_robot;
+  return online;
 }
 
-Pose2 DriftFloor::matched(std::size_t reference, std::size_t current) const
+PoseLink DriftFloor::matched(std::size_t reference, std::size_t current) const
 {
   const RecordedScan& ref = recording_.scans[reference];
   const RecordedScan& cur = recording_.scans[current];
   const Pose2 truth = ref.T_world_robot.inverse() * cur.T_world_robot;
   const PoseBound bound = poseBound(world_, ref.T_world_robot, ref.simulated, cur.T_world_robot,
                                     cur.simulated, rangeSigma_m_);
+  const Eigen::Matrix3d covariance = wheelCovariance(reference, current);
   const Eigen::Vector3d error =
-      mostLikelyError(bound, difference(measuredMotion(reference, current), truth),
-                      wheelCovariance(reference, current));
-  return {truth.x_m + error.x(), truth.y_m + error.y(), wrapAngle(truth.phi_rad + error.z())};
+      mostLikelyError(bound, difference(measuredMotion(reference, current), truth), covariance);
+  return {reference, current, displaced(truth, error), bound.information + covariance.inverse()};
+}
+
+PoseLink DriftFloor::linked(std::size_t reference, std::size_t current) const
+{
+  const RecordedScan& ref = recording_.scans[reference];
+  const RecordedScan& cur = recording_.scans[current];
+  const PoseBound bound = poseBound(world_, ref.T_world_robot, ref.simulated, cur.T_world_robot,
+                                    cur.simulated, rangeSigma_m_);
+  // A metre and a radian: a direction that the scans leave open says nothing.
+  const Eigen::Vector3d error =
+      mostLikelyError(bound, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity());
+  return {reference, current, displaced(ref.T_world_robot.inverse() * cur.T_world_robot, error),
+          bound.information};
 }
 
 Pose2 DriftFloor::measuredMotion(std::size_t reference, std::size_t current) const

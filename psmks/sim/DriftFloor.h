@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/core/PoseGraph.h>
 #include <psmks/sim/PoseBound.h>
 #include <psmks/sim/Simulation.h>
 #include <psmks/sim/World.h>
@@ -10,6 +11,14 @@
 
 namespace psmks
 {
+/** What a scan was matched against. */
+struct FloorStep
+{
+  std::optional<std::size_t> reference;  //!< index of a scan before it; none = odometry counts
+  bool joinsMap = false;                 //!< it becomes a keyframe ...
+  std::vector<std::size_t> links;        //!< ... matched against these others too
+};
+
 /** The drift that remains when every match of a drive is made as well as it can be.
  *
  * Each scan's pose hangs on the one it was matched against, with the error that maximum likelihood
@@ -17,7 +26,10 @@ namespace psmks
  * scan's noise enters the matches of both its sides, mostly with opposite sign: errors of
  * neighbouring matches cancel in part, which a floor of independent errors would miss.
  *
- *     start --odometry--> . --match--> . --match--> .                                            */
+ *     start --odometry--> . --match--> . --match--> .
+ *
+ * Where keyframes are matched against several others, all these matches together fix their poses
+ * (PoseGraph), anew with each keyframe that joins. */
 class DriftFloor
 {
  public:
@@ -25,13 +37,13 @@ class DriftFloor
    *  outlive the floor */
   DriftFloor(const World& world, const Recording& recording, const SimulationOptions& simulation);
 
-  /** Where the robot would be thought to be, for every scan, in the world's frame.
-   *  @param referenceOf index of the scan each scan was matched against, smaller than its own; none
-   *  where there was no match, so that the odometry since the scan before counts */
-  std::vector<Pose2> poses(const std::vector<std::optional<std::size_t>>& referenceOf) const;
+  /** Where the robot would be thought to be when each scan came, in the world's frame.
+   *  @param steps one a scan */
+  std::vector<Pose2> poses(const std::vector<FloorStep>& steps) const;
 
  private:
-  Pose2 matched(std::size_t reference, std::size_t current) const;
+  PoseLink matched(std::size_t reference, std::size_t current) const;
+  PoseLink linked(std::size_t reference, std::size_t current) const;
   Pose2 measuredMotion(std::size_t reference, std::size_t current) const;
   Eigen::Matrix3d wheelCovariance(std::size_t reference, std::size_t current) const;
 

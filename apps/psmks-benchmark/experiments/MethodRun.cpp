@@ -38,25 +38,34 @@ Pose2 trueMotion(const Recording& recording, std::size_t from, std::size_t to)
   return recording.scans[from].T_world_robot.inverse() * recording.scans[to].T_world_robot;
 }
 
-std::vector<PosedScan> followed(const Recording& recording, TrajectoryBuilder& builder)
+/** Fills in the trajectory, and where each scan was thought to be when it came. */
+void follow(const Recording& recording, TrajectoryBuilder& builder,
+            std::vector<Pose2>& T_world_robot)
 {
+  const Pose2& T_world_start = recording.scans.front().T_world_robot;
   const auto& scans = recording.scans;
   for (std::size_t s = 0; s < scans.size(); ++s)
   {
     std::optional<Pose2> odometry;
     if (s > 0) odometry = scans[s - 1].T_start_odometry.inverse() * scans[s].T_start_odometry;
-    builder.add(scans[s].simulated.scan, recording.T_robot_sensor, odometry);
+    const PosedScan& posed =
+        builder.add(scans[s].simulated.scan, recording.T_robot_sensor, odometry);
+    T_world_robot.push_back(T_world_start * posed.T_world_robot.pose);
   }
-  return builder.scans();
+  builder.settle();
 }
 
-/** The reference of every scan that hangs on its match. */
-std::vector<std::optional<std::size_t>> references(const std::vector<PosedScan>& scans)
+/** What each scan hung on when it came. */
+std::vector<FloorStep> floorSteps(const std::vector<PosedScan>& scans)
 {
-  std::vector<std::optional<std::size_t>> referenceOf(scans.size());
+  std::vector<FloorStep> steps(scans.size());
   for (std::size_t s = 0; s < scans.size(); ++s)
-    if (scans[s].isMatched()) referenceOf[s] = scans[s].matches.back().reference;
-  return referenceOf;
+  {
+    if (scans[s].isMatched()) steps[s].reference = scans[s].matches.back().reference;
+    steps[s].joinsMap = scans[s].isReference;
+    for (const auto& link : scans[s].links) steps[s].links.push_back(link.reference);
+  }
+  return steps;
 }
 
 void countMatch(const Recording& recording, const ReferenceMatch& match, std::size_t scan,
@@ -85,6 +94,7 @@ MethodFigures countMatches(const Recording& recording, const std::vector<PosedSc
   std::vector<double> segmentation_s, match_s;
   for (std::size_t s = 0; s < scans.size(); ++s)
   {
+    for (const auto& link : scans[s].links) countMatch(recording, link, s, figures);
     for (const auto& match : scans[s].matches)
     {
       countMatch(recording, match, s, figures);
@@ -134,17 +144,16 @@ MethodRun runMethod(const Drive& drive, const Method& method, const MatcherOptio
   TrajectoryBuilder builder(makePairMatcher(method.matcher, options), method.reference, odometry);
   MethodRun run;
   run.method = method;
-  run.scans = followed(recording, builder);
+  follow(recording, builder, run.T_world_robot);
+  run.scans = builder.scans();
   run.matched = matchedScans(run.scans);
   const Pose2& T_world_start = recording.scans.front().T_world_robot;
-  for (const auto& scan : run.scans)
-    run.T_world_robot.push_back(T_world_start * scan.T_world_robot.pose);
 
   const DriftFloor floor(drive.site.world, recording, drive.simulation);
   run.figures = countMatches(recording, run.scans);
   run.figures.drift = driftFigures(recording, run.T_world_robot, run.matched);
   run.figures.odometryDrift = driftFigures(recording, odometryPoses(recording), run.matched);
-  run.figures.floorDrift = driftFigures(recording, floor.poses(references(run.scans)), run.matched);
+  run.figures.floorDrift = driftFigures(recording, floor.poses(floorSteps(run.scans)), run.matched);
   run.figures.wallEndsShare =
       shareOfEndsOnWalls(drive.site.world, T_world_start, makeScanMap(run.scans, options));
   return run;

@@ -43,8 +43,8 @@ struct MethodRun
 {
   Method method;
   MethodFigures figures;
-  std::vector<PosedScan> scans;      //!< in the frame of the first
-  std::vector<Pose2> T_world_robot;  //!< estimated, one pose a scan
+  std::vector<PosedScan> scans;      //!< in the frame of the first; settled at the end
+  std::vector<Pose2> T_world_robot;  //!< estimated when the scan came, one pose a scan
   std::vector<std::size_t> matched;  //!< the scans whose match was accepted
 };
 

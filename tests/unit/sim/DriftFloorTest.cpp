@@ -8,8 +8,6 @@ namespace psmks
 {
 namespace
 {
-using References = std::vector<std::optional<std::size_t>>;
-
 constexpr double kStep_m = 0.5;
 
 /** A robot that drives five steps straight on through the small room; its wheels count 2 % more
@@ -49,7 +47,8 @@ TEST(DriftFloor, IsTheOdometryWhereNothingIsMatched)
 {
   const World world = World::smallRoom();
   const Recording recording = straightDrive(world, 0.01, 1);
-  const auto poses = DriftFloor(world, recording, simulation(0.01)).poses(References(6));
+  const auto poses =
+      DriftFloor(world, recording, simulation(0.01)).poses(std::vector<FloorStep>(6));
   EXPECT_EQ(poses.size(), 6U);
   EXPECT_NEAR(error_m(recording, poses, 5), 0.02 * kStep_m * 5, 1e-12);
 }
@@ -58,7 +57,8 @@ TEST(DriftFloor, IsMillimetresWhereEveryScanIsMatched)
 {
   const World world = World::smallRoom();
   const Recording recording = straightDrive(world, 0.01, 1);
-  const References before{std::nullopt, 0, 1, 2, 3, 4};
+  std::vector<FloorStep> before(6);
+  for (std::size_t scan = 1; scan < 6; ++scan) before[scan].reference = scan - 1;
   const auto poses = DriftFloor(world, recording, simulation(0.01)).poses(before);
   EXPECT_LT(error_m(recording, poses, 5), 0.02);
   EXPECT_GT(error_m(recording, poses, 5), 0);

@@ -1,0 +1,55 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/PoseGraph.h>
+#include <psmks/core/ReferencePolicy.h>
+#include <psmks/mrpt/PosedScan.h>
+
+#include <optional>
+#include <vector>
+
+namespace psmks
+{
+/** The scans that others are matched against, and the matches between them that fix where they are.
+ *
+ *        k3 ----- k2 -----.            links: matches of a keyframe, when it joins, against those
+ *        |  \   /  |       k1          around it that saw the same things. A loop that closes
+ *        k4 --- k5 -----'              moves all of them.
+ *
+ * Keyframes are indices into the scans of a trajectory, whose poses the map keeps up to date. */
+class KeyframeMap
+{
+ public:
+  explicit KeyframeMap(const ReferencePolicy& policy) : policy_(policy) {}
+
+  /** The nearest keyframe that saw enough of a scan. */
+  std::optional<std::size_t> nearest(const std::vector<PosedScan>& scans,
+                                     const PosedScan& current) const;
+
+  /** Keyframes that saw enough of a scan, the nearest first. */
+  std::vector<std::size_t> around(const std::vector<PosedScan>& scans,
+                                  const PosedScan& current) const;
+
+  /** Whether a scan shows nothing that a keyframe near it has not shown. */
+  bool covers(const std::vector<PosedScan>& scans, const PosedScan& current) const;
+
+  /** Takes in a scan at its present pose, with the measured poses of it in other keyframes, and
+   * sets the poses of all keyframes anew. */
+  void add(std::vector<PosedScan>& scans, std::size_t index,
+           const std::vector<ReferenceMatch>& links);
+
+ private:
+  struct Keyframe
+  {
+    std::size_t scan;
+    std::size_t node;
+  };
+
+  bool isSeen(const PosedScan& keyframe, const PosedScan& current) const;
+  std::optional<std::size_t> nodeOf(std::size_t scan) const;
+
+  ReferencePolicy policy_;
+  PoseGraph graph_;
+  std::vector<Keyframe> keyframes_;
+};
+}  // namespace psmks
