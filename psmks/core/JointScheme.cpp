@@ -85,7 +85,8 @@ class JointMatch
 
   // ---- refinement -----------------------------------------------------------------------------
 
-  Candidate refine(const Pose2& start)
+  /** @param firstRound 0, or more to begin with narrower gates */
+  Candidate refine(const Pose2& start, int firstRound)
   {
     // A start is off by a tenth of the gates or so. Until then whole lines lead the way: single
     // rays are many, and those on other objects than their partners too.
@@ -93,8 +94,10 @@ class JointMatch
     JointProblem& problem = buffers_.problem;
     Candidate candidate;
     candidate.T_ref_cur = start;
-    PairingGates gates{options_.distanceGate_m, options_.angleGate_rad, options_.singleRayWeight};
-    for (int round = 0; round < options_.reassociations; ++round)
+    const double share = std::ldexp(1.0, -firstRound);
+    PairingGates gates{share * options_.distanceGate_m, share * options_.angleGate_rad,
+                       options_.singleRayWeight};
+    for (int round = firstRound; round < options_.reassociations; ++round)
     {
       const bool last = round + 1 == options_.reassociations;
       gates.singleRaySlack_m = last ? 0 : kSlack * gates.distance_m;
@@ -133,10 +136,10 @@ class JointMatch
   }
 
   /** Refines a start and scores what comes of it; without enough associations the score is -1. */
-  Candidate scored(const Pose2& start)
+  Candidate scored(const Pose2& start, int firstRound = 0)
   {
     Stopwatch watch;
-    Candidate candidate = refine(start);
+    Candidate candidate = refine(start, firstRound);
     result_.times.refinement_s += watch.lap_s();
     if (candidate.associations < options_.minAssociations) return candidate;
     const RayCounts counts = allCounts(candidate.T_ref_cur);
@@ -146,11 +149,21 @@ class JointMatch
     return candidate;
   }
 
-  /** Refines a start and keeps it if it is the best so far. */
+  /** Refines a start and keeps what comes of it if it is the best so far. A start that explained
+   * more before was drawn to lines that are not its own - the other face of a thin wall: once more
+   * with narrower gates. */
   void consider(const Pose2& start)
   {
-    const Candidate candidate = scored(start);
     ++result_.hypotheses;
+    const Candidate candidate = scored(start);
+    keepIfBest(candidate);
+    const bool canNarrow = options_.reassociations > 1 && candidate.score > 0;
+    if (!canNarrow || isConvincing(candidate)) return;
+    if (freeSpaceScore(allCounts(start)) > candidate.score) keepIfBest(scored(start, 1));
+  }
+
+  void keepIfBest(const Candidate& candidate)
+  {
     mostAssociations_ = std::max(mostAssociations_, candidate.associations);
     if (candidate.associations < options_.minAssociations) return;
     if (trace_)
