@@ -16,6 +16,8 @@ void listFields(OptionTable& table, JointOptions& o)
             "starts that are refined at most when the guess does not hold");
   table.add("confident_score", o.confidentScore, Unit::None, 0, 1,
             "free-space score from which no further start is tried");
+  table.add("agreed_score", o.agreedScore, Unit::None, 0, 1,
+            "the same for a pose within the 95 % ellipsoid of a guess that has a covariance");
   table.add(
       "distance_gate_m", o.distanceGate_m, Unit::Metre, 1e-3, 10,
       "lines farther apart are not associated, first association; halved at each further one");

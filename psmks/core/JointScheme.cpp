@@ -79,8 +79,21 @@ class JointMatch
   bool isConvincing(const Candidate& candidate) const
   {
     constexpr double kFewestHeld = 0.5;
-    return candidate.converged && candidate.score >= options_.confidentScore &&
+    const double enough =
+        agreesWithGuess(candidate) ? options_.agreedScore : options_.confidentScore;
+    return candidate.converged && candidate.score >= enough &&
            candidate.associations >= kFewestHeld * candidate.raysOn;
+  }
+
+  /** Whether the guess was measured and the candidate lies within its 95 % ellipsoid: two witnesses
+   * for one pose. */
+  bool agreesWithGuess(const Candidate& candidate) const
+  {
+    constexpr double kChi2At95With3Dof = 7.81;
+    if (!guess_.covariance) return false;
+    const Pose2 &a = candidate.T_ref_cur, &b = guess_.T_ref_cur;
+    const Eigen::Vector3d apart(a.x_m - b.x_m, a.y_m - b.y_m, wrapAngle(a.phi_rad - b.phi_rad));
+    return apart.dot(guessPrior_.information * apart) <= kChi2At95With3Dof;
   }
 
   // ---- refinement -----------------------------------------------------------------------------
@@ -255,19 +268,16 @@ class JointMatch
     return other.score > best_.score - kSameScore;
   }
 
-  /** Whether a start turned away stays away and explains the scans as well. */
+  /** Whether a start turned away stays away and explains the scans as well. Where it does to one
+   * side, it does to the other. */
   bool isHeadingOpen()
   {
     constexpr double kTurn_rad = degToRad(5);
-    for (const double turn_rad : {-kTurn_rad, kTurn_rad})
-    {
-      Pose2 turned = best_.T_ref_cur;
-      turned.phi_rad = wrapAngle(turned.phi_rad + turn_rad);
-      const Candidate other = scored(turned);
-      const double apart_rad = wrapAngle(other.T_ref_cur.phi_rad - best_.T_ref_cur.phi_rad);
-      if (explainsAsMuch(other) && std::abs(apart_rad) > options_.weakHeadingSigma_rad) return true;
-    }
-    return false;
+    Pose2 turned = best_.T_ref_cur;
+    turned.phi_rad = wrapAngle(turned.phi_rad + kTurn_rad);
+    const Candidate other = scored(turned);
+    const double apart_rad = wrapAngle(other.T_ref_cur.phi_rad - best_.T_ref_cur.phi_rad);
+    return explainsAsMuch(other) && std::abs(apart_rad) > options_.weakHeadingSigma_rad;
   }
 
   /** The guess's heading, the position that goes with it, and its uncertainty. */
