@@ -268,13 +268,18 @@ class JointMatch
     return other.score > best_.score - kSameScore;
   }
 
-  /** Whether a start turned away stays away and explains the scans as well. Where it does to one
-   * side, it does to the other. */
+  /** Whether a start turned away, to either side, stays away and explains the scans as well. Where
+   * a measured guess confirms the pose, one side is asked. */
   bool isHeadingOpen()
   {
     constexpr double kTurn_rad = degToRad(5);
+    return staysAway(kTurn_rad) || (!agreesWithGuess(best_) && staysAway(-kTurn_rad));
+  }
+
+  bool staysAway(double turn_rad)
+  {
     Pose2 turned = best_.T_ref_cur;
-    turned.phi_rad = wrapAngle(turned.phi_rad + kTurn_rad);
+    turned.phi_rad = wrapAngle(turned.phi_rad + turn_rad);
     const Candidate other = scored(turned);
     const double apart_rad = wrapAngle(other.T_ref_cur.phi_rad - best_.T_ref_cur.phi_rad);
     return explainsAsMuch(other) && std::abs(apart_rad) > options_.weakHeadingSigma_rad;
