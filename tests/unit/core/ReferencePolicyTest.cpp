@@ -57,5 +57,64 @@ TEST(ReferencePolicy, afterAFailureTheReferenceWaitsUntilItIsGivenUp)
   EXPECT_FALSE(policy.isReplaced(kFailed, kFar, 2));
   EXPECT_TRUE(policy.isReplaced(kFailed, kFar, 3));
 }
+
+// ---- map: a keyframe every metre or 30 degrees, of use within 4 m and 60 degrees ---------------
+
+ReferencePolicy mapPolicy()
+{
+  ReferenceOptions options;
+  options.choice = ReferenceChoice::Map;
+  return ReferencePolicy(options);
+}
+
+TEST(ReferencePolicy, onlyOneOfTheChoicesIsAMap)
+{
+  EXPECT_TRUE(mapPolicy().usesMap());
+  EXPECT_FALSE(ReferencePolicy(ReferenceOptions()).usesMap());
+}
+
+TEST(ReferencePolicy, aKeyframeIsACandidateWithinPlaceAndHeading)
+{
+  EXPECT_TRUE(mapPolicy().isCandidate({2.7, -2.7, degToRad(-59)}));  // 3.8 m away
+  EXPECT_FALSE(mapPolicy().isCandidate({2.9, -2.9, 0}));
+  EXPECT_FALSE(mapPolicy().isCandidate({0, 0, degToRad(-61)}));
+}
+
+TEST(ReferencePolicy, aKeyframeCoversWhatIsNearInPlaceAndHeading)
+{
+  EXPECT_TRUE(mapPolicy().isCovered({0.6, -0.6, degToRad(29)}));
+  EXPECT_FALSE(mapPolicy().isCovered({0.8, -0.8, 0}));
+  EXPECT_FALSE(mapPolicy().isCovered({0, 0, degToRad(31)}));
+}
+
+TEST(ReferencePolicy, remotenessAddsPlaceAndHeading)
+{
+  EXPECT_EQ(mapPolicy().remoteness({}), 0);
+  EXPECT_NEAR(mapPolicy().remoteness({0, -4, 0}), 1, 1e-12);
+  EXPECT_NEAR(mapPolicy().remoteness({0, 0, degToRad(-60)}), 1, 1e-12);
+  EXPECT_NEAR(mapPolicy().remoteness({2.4, 3.2, degToRad(60)}), 2, 1e-12);
+}
+
+TEST(ReferencePolicy, aKeyframeThatSawHalfOfAScanSawEnough)
+{
+  EXPECT_TRUE(mapPolicy().isEnough(0.5));
+  EXPECT_FALSE(mapPolicy().isEnough(0.49));
+}
+
+TEST(ReferencePolicy, onlyAMatchWithoutDoubtTiesKeyframes)
+{
+  EXPECT_TRUE(mapPolicy().isLink(matchOf(MatchStatus::Converged, 0.8)));
+  EXPECT_FALSE(mapPolicy().isLink(matchOf(MatchStatus::Converged, 0.79)));
+  for (const MatchStatus status :
+       {MatchStatus::Degenerate, MatchStatus::MaxIterations, MatchStatus::NoImprovement})
+    EXPECT_FALSE(mapPolicy().isLink(matchOf(status)));
+}
+
+TEST(ReferencePolicy, theNumberOfLinksIsAnOption)
+{
+  ReferenceOptions options;
+  options.mapLinks = 3;
+  EXPECT_EQ(ReferencePolicy(options).mostLinks(), 3U);
+}
 }  // namespace
 }  // namespace psmks
