@@ -161,6 +161,33 @@ TEST(JointMatcher, AGuessWithACovarianceIsAMeasurement)
   EXPECT_LT(withPrior.covariance(0, 0), without.covariance(0, 0));
 }
 
+//           |                        |    a room and, below it, the end of a corridor; the wall
+//           |  cur                   |    between them is 15 cm thick and has an open door. Only
+//           +=======             ====+    cur sees the upper face of the wall, only ref the lower
+//                     door      +----+    one, which lies to the right of the door: 15 cm are
+//                ref                 |    less than the distance at which lines are first paired.
+//           -------------------------+
+TEST(JointMatcher, AStartAtTheTruthIsNotDrawnToTheOtherFaceOfAWall)
+{
+  const std::vector<Wall> walls{{{-1.3, -0.9}, {2, -0.9}},   {{2, -0.9}, {2, 0.9}},
+                                {{2, 0.9}, {1.5, 0.9}},      {{1.5, 0.9}, {1.5, 1.05}},
+                                {{1.5, 1.05}, {1.95, 1.05}}, {{1.95, 1.05}, {1.95, 5.05}},
+                                {{0.3, 1.05}, {-1.75, 1.05}}};
+  const BeamGrid grid = BeamGrid::centered(kPi, 181);
+  const Pose2 T_world_ref{0.35, -0.15, degToRad(-24)}, T_ref_cur{-1.3, 1.45, degToRad(3)};
+  const Matcher matcher;
+  MatcherWorkspace workspace;
+  for (unsigned seed = 1; seed <= 10; ++seed)
+  {
+    std::mt19937 rng(seed);
+    const Scan reference = castScan(walls, T_world_ref, grid, 30, 0.01, rng);
+    const Scan current = castScan(walls, T_world_ref * T_ref_cur, grid, 30, 0.01, rng);
+    const MatchResult result = matcher.match(reference, current, {T_ref_cur, {}}, workspace);
+    EXPECT_TRUE(result.usable()) << result.report();
+    EXPECT_TRUE(isNearly(result.T_ref_cur, T_ref_cur, 0.035, degToRad(0.3))) << result.report();
+  }
+}
+
 TEST(Matcher, CeresWithoutItsSolversIsRefused)
 {
   MatcherOptions joint, paper;

@@ -91,6 +91,38 @@ TEST(ThreeRayTest, TheNoiseOfAClutteredRoomIsSeenWithin15Percent)
   }
 }
 
+//   -   -   -   -   -     a fence 3 m ahead, its planks and gaps three rays wide
+//  ___________________    the wall behind it: of three tests in a row two reach across an edge
+//
+TEST(ThreeRayTest, TheNoiseIsSeenThroughAFenceOfEdges)
+{
+  constexpr unsigned kScans = 10;
+  constexpr int kRaysOfPlank = 3;
+  const BeamGrid grid = BeamGrid::centered(degToRad(120), 361);
+  const Line fence{3, 0, Eigen::Matrix2d::Zero()}, wall{5, 0, Eigen::Matrix2d::Zero()};
+  double mean_m = 0;
+  for (unsigned seed = 1; seed <= kScans; ++seed)
+  {
+    std::mt19937 rng(seed);
+    std::normal_distribution<double> noise_m(0, 0.01);
+    Scan scan;
+    scan.grid = grid;
+    for (int ray = 0; ray < grid.count(); ++ray)
+    {
+      const Line& met = ray / kRaysOfPlank % 2 ? wall : fence;
+      scan.range_m.push_back(met.rangeAt_m(grid.bearing_rad(ray)) + noise_m(rng));
+    }
+    Prepared p(scan);
+    std::vector<double> tests_m2;
+    threeRayTests(p.scan, p.inverse_1_m, tests_m2);
+    const auto onEdges = std::count_if(tests_m2.begin(), tests_m2.end(),
+                                       [](double test_m2) { return test_m2 > 0.1 * 0.1; });
+    ASSERT_GT(onEdges, 0.6 * static_cast<double>(tests_m2.size()));
+    mean_m += p.estimatedSigma_m() / kScans;
+  }
+  EXPECT_NEAR(mean_m, 0.01, 0.001);
+}
+
 TEST(ThreeRayTest, FewRaysShowNoNoise)
 {
   std::mt19937 rng(1);
