@@ -42,32 +42,17 @@ void threeRayTests(const SegmentedScan& scan, const std::vector<double>& inverse
 double estimateRangeSigma_m(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
                             std::vector<double>& scratch)
 {
-  constexpr int kFewestTests = 20;
-  constexpr int kRounds = 3;
-  constexpr double kQuartileOfAbsoluteNormal = 0.3186;
-  constexpr double kClip = 2.5;
-  constexpr double kMedianBelowClip = 0.6655;  // of the absolute normal up to 2.5
+  constexpr std::ptrdiff_t kFewestTests = 20;
+  constexpr double kEdge_m = 0.2;  // a test beyond it is a jump or a corner, not noise
+  constexpr double kMedianOfAbsoluteNormal = 0.6745;
   threeRayTests(scan, inverseRange_1_m, scratch);
-  if (scratch.size() < kFewestTests) return 0;
-
-  const auto quantile_m = [&scratch](std::size_t count, std::size_t parts)
-  {
-    const auto at = scratch.begin() + static_cast<std::ptrdiff_t>(count / parts);
-    std::nth_element(scratch.begin(), at, scratch.begin() + static_cast<std::ptrdiff_t>(count));
-    return std::sqrt(*at);
-  };
-  double sigma_m = quantile_m(scratch.size(), 4) / kQuartileOfAbsoluteNormal;
-  std::size_t onLines = scratch.size();
-  for (int round = 0; round < kRounds; ++round)
-  {
-    const double clip_m2 = kClip * kClip * sigma_m * sigma_m;
-    const auto end =
-        std::partition(scratch.begin(), scratch.begin() + static_cast<std::ptrdiff_t>(onLines),
-                       [clip_m2](double test_m2) { return test_m2 <= clip_m2; });
-    onLines = static_cast<std::size_t>(end - scratch.begin());
-    sigma_m = quantile_m(onLines, 2) / kMedianBelowClip;
-  }
-  return sigma_m;
+  const auto end = std::partition(scratch.begin(), scratch.end(),
+                                  [](double test_m2) { return test_m2 <= kEdge_m * kEdge_m; });
+  const auto tests = end - scratch.begin();
+  if (tests < kFewestTests) return 0;
+  const auto middle = scratch.begin() + tests / 2;
+  std::nth_element(scratch.begin(), middle, end);
+  return std::sqrt(*middle) / kMedianOfAbsoluteNormal;
 }
 
 int strongestBreak(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m)

@@ -21,9 +21,10 @@ namespace psmks
 void threeRayTests(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
                    std::vector<double>& tests_m2);
 
-/** Robust standard deviation of a range as the scan itself shows it (median of the three-ray
- * tests); 0 where fewer than 20 rays can be tested. Corners and clutter hardly move it while they
- * make up less than half of the scan. */
+/** Robust standard deviation of a range as the scan itself shows it: median of the three-ray tests
+ * up to 20 cm, for larger ones lie on edges. 0 where fewer than 20 are left. Holds for crowded
+ * scans, in which most rays lie on edges, and for ranges rounded to cells, whose noise has no bell
+ * shape. */
 double estimateRangeSigma_m(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
                             std::vector<double>& scratch);
 
