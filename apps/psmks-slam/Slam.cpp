@@ -90,12 +90,13 @@ Slam::Slam(const CommandLine& commandLine, const SlamOptions& options)
 ExitCode Slam::run()
 {
   buildTrajectory();
+  builder_.settle();
   requireScans();
   reportSensors();
 
   const Summary result = summary();
   const ScanMap map = makeScanMap(builder_.scans(), options_.matching.matcher);
-  output_.write(builder_.scans(), map, keyframes_, result, options_);
+  output_.write(builder_.scans(), map, simpleMap(), result, options_);
   printSummary(std::cout, result);
   std::cout << "map              " << output_.file("map.png") << '\n';
   if (commandLine_.view) showMap(map);
@@ -137,14 +138,21 @@ void Slam::add(const LaserFrame& frame)
 void Slam::keepKeyframes(const LaserFrame& frame)
 {
   const auto& scans = builder_.scans();
-  const std::size_t count = scans.size();
-  if (lastFrame_ && scans[count - 2].isReference)
-    addKeyframe(scans[count - 2], *lastFrame_, keyframes_);
+  const std::size_t last = scans.size() - 1;
+  if (lastFrame_ && scans[last - 1].isReference) keyframes_.emplace_back(last - 1, *lastFrame_);
   lastFrame_.reset();
-  if (scans.back().isReference)
-    addKeyframe(scans.back(), frame, keyframes_);
+  if (scans[last].isReference)
+    keyframes_.emplace_back(last, frame);
   else
     lastFrame_ = frame;
+}
+
+/** With the poses that the scans have in the end. */
+mrpt::maps::CSimpleMap Slam::simpleMap() const
+{
+  mrpt::maps::CSimpleMap map;
+  for (const auto& [index, frame] : keyframes_) addKeyframe(builder_.scans()[index], frame, map);
+  return map;
 }
 
 void Slam::requireScans() const

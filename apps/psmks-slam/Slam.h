@@ -29,6 +29,7 @@ class Slam
   void buildTrajectory();
   void add(const LaserFrame& frame);
   void keepKeyframes(const LaserFrame& frame);
+  mrpt::maps::CSimpleMap simpleMap() const;
   void reportSensors() const;
   LogSummary logSummary() const;
   Summary summary() const;
@@ -42,8 +43,8 @@ class Slam
   RawlogReader reader_;
   TrajectoryBuilder builder_;
   ScanConverter converter_;
-  mrpt::maps::CSimpleMap keyframes_;
-  std::optional<LaserFrame> lastFrame_;  //!< while it is no key frame
+  std::vector<std::pair<std::size_t, LaserFrame>> keyframes_;  //!< by the index of their scans
+  std::optional<LaserFrame> lastFrame_;                        //!< while it is no key frame
   std::optional<MatchedRawlog> rawlog_;
   int scansWithoutOdometry_ = 0;
 };
