@@ -96,7 +96,10 @@ int ExperimentsCommand::run()
       results.push_back(measure(plan));
     }
   }
-  output_.write({runTable(results)});
+  const std::vector<ResultGroup> groups = grouped(results);
+  TableOutput::print(
+      {driftTable(groups), trustTable(groups), workTable(groups), driveTable(groups)});
+  output_.save({runTable(results)});
   if (!folder_.empty()) save(results);
   return kOk;
 }

@@ -65,10 +65,19 @@ void TableOutput::open()
 
 void TableOutput::write(const std::vector<Table>& tables)
 {
-  const Machine machine = Machine::present();
-  std::cout << machine.line() << '\n';
-  for (const auto& table : tables) std::cout << '\n' << toText(table);
+  print(tables);
+  save(tables);
+}
 
+void TableOutput::print(const std::vector<Table>& tables)
+{
+  std::cout << Machine::present().line() << '\n';
+  for (const auto& table : tables) std::cout << '\n' << toText(table);
+}
+
+void TableOutput::save(const std::vector<Table>& tables)
+{
+  const Machine machine = Machine::present();
   if (csv_.is_open()) csv_ << toCsv(tables);
   if (markdown_.is_open())
   {

@@ -23,8 +23,16 @@ class TableOutput
   /** Creates the files, so that a mistyped path is reported before the work is done. */
   void open();
 
-  /** @param tables all with the same columns */
+  /** To the terminal and to the files.
+   *  @param tables all with the same columns */
   void write(const std::vector<Table>& tables);
+
+  /** To the terminal, after the machine. */
+  static void print(const std::vector<Table>& tables);
+
+  /** To the files.
+   *  @param tables all with the same columns */
+  void save(const std::vector<Table>& tables);
 
  private:
   std::string csvPath_, jsonPath_, markdownPath_;

@@ -79,6 +79,7 @@ void writeReport(std::ostream& out, const std::vector<DriveResult>& results,
   writeTable(out, driveTable(groups));
   out << kReading;
   writePictures(out, pictures);
-  writeTable(out, runTable(results));
+  out << "## Every drive\n\n<details><summary>One row a drive and method</summary>\n\n"
+      << toMarkdown(runTable(results)) << "\n</details>\n";
 }
 }  // namespace psmks
