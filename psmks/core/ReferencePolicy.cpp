@@ -22,18 +22,21 @@ void listFields(OptionTable& table, ReferenceOptions& o)
       "it is seen; map: the nearest of all keyframes, which are matched against each other");
   table.add("match_every_scan", o.matchEveryScan,
             "false: scans nearer to the reference than the trigger go by odometry (the paper)");
-  table.add("trigger_distance_m", o.triggerDistance_m, Unit::Metre, 0, 100,
-            "sequential: moved as far since the reference, a scan replaces it");
-  table.add("trigger_angle_deg", o.triggerAngle_rad, Unit::Degree, 0, degToRad(180),
-            "sequential: turned as far since the reference, a scan replaces it");
+  table.add(
+      "trigger_distance_m", o.triggerDistance_m, Unit::Metre, 0, 100,
+      "moved as far since the reference, a scan replaces it (sequential) or may do so (keyframe)");
+  table.add(
+      "trigger_angle_deg", o.triggerAngle_rad, Unit::Degree, 0, degToRad(180),
+      "turned as far since the reference, a scan replaces it (sequential) or may do so (keyframe)");
   table.add("keyframe_distance_m", o.keyframeDistance_m, Unit::Metre, 0, 100,
             "keyframe: moved as far, a scan replaces the reference whatever they share");
   table.add("keyframe_angle_deg", o.keyframeAngle_rad, Unit::Degree, 0, degToRad(180),
             "keyframe: turned as far, a scan replaces the reference whatever they share");
   table.add("keyframe_min_rays", o.keyframeMinRays, 0, 100000,
-            "keyframe: fewer associated rays and the scan replaces the reference");
-  table.add("keyframe_min_score", o.keyframeMinScore, Unit::None, 0, 1,
-            "keyframe: a smaller share of rays explained and the scan replaces the reference");
+            "keyframe: fewer associated rays, a trigger away, and the scan replaces the reference");
+  table.add(
+      "keyframe_min_score", o.keyframeMinScore, Unit::None, 0, 1,
+      "keyframe: a smaller share of rays explained, a trigger away, and the scan replaces it");
   table.add("map_spacing_m", o.mapSpacing_m, Unit::Metre, 0, 100,
             "map: a scan as far from every keyframe becomes one");
   table.add("map_spacing_deg", o.mapSpacing_rad, Unit::Degree, 0, degToRad(180),
@@ -63,8 +66,10 @@ bool ReferencePolicy::isTriggered(const Pose2& T_ref_cur) const
 
 bool ReferencePolicy::isKeyframeLeft(const MatchResult& match, const Pose2& T_ref_cur) const
 {
+  const bool littleShared =
+      match.associations < options_.keyframeMinRays || match.score < options_.keyframeMinScore;
   return isBeyond(T_ref_cur, options_.keyframeDistance_m, options_.keyframeAngle_rad) ||
-         match.associations < options_.keyframeMinRays || match.score < options_.keyframeMinScore;
+         (littleShared && isTriggered(T_ref_cur));
 }
 
 bool ReferencePolicy::isCandidate(const Pose2& T_keyframe_cur) const

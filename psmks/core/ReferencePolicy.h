@@ -20,8 +20,8 @@ struct ReferenceOptions
 {
   ReferenceChoice choice = ReferenceChoice::Sequential;
   bool matchEveryScan = true;              //!< false: only scans a trigger away (paper)
-  double triggerDistance_m = 0.80;         //!< sequential
-  double triggerAngle_rad = degToRad(20);  //!< sequential
+  double triggerDistance_m = 0.80;         //!< sequential, and the least of keyframe
+  double triggerAngle_rad = degToRad(20);  //!< sequential, and the least of keyframe
   double keyframeDistance_m = 2.0;
   double keyframeAngle_rad = degToRad(40);
   int keyframeMinRays = 30;        //!< associated

@@ -44,8 +44,9 @@ TEST(ReferencePolicy, aKeyframeStaysUntilTooLittleOfItIsSeen)
   EXPECT_FALSE(policy.isReplaced(kGood, kFar, 0));
   EXPECT_TRUE(policy.isReplaced(kGood, {2.1, 0, 0}, 0));
   EXPECT_TRUE(policy.isReplaced(kGood, {0, 0, degToRad(41)}, 0));
-  EXPECT_TRUE(policy.isReplaced(matchOf(MatchStatus::Converged, 0.4), kNear, 0));
-  EXPECT_TRUE(policy.isReplaced(matchOf(MatchStatus::Converged, 1, 29), kNear, 0));
+  EXPECT_TRUE(policy.isReplaced(matchOf(MatchStatus::Converged, 0.4), kFar, 0));
+  EXPECT_TRUE(policy.isReplaced(matchOf(MatchStatus::Converged, 1, 29), kFar, 0));
+  EXPECT_FALSE(policy.isReplaced(matchOf(MatchStatus::Converged, 0.4, 29), kNear, 0));
 }
 
 TEST(ReferencePolicy, afterAFailureTheReferenceWaitsUntilItIsGivenUp)
