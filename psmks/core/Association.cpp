@@ -92,9 +92,10 @@ class RayAssociator
       if (!found || std::abs(other.residual_m) < std::abs(best.residual_m)) best = other;
       found = true;
     }
-    RayTally& tally = result_.tallies[static_cast<std::size_t>(rays_.segment[ray])];
-    ++(found ? tally.associated : tally.refused);
-    if (found) result_.pairs.push_back(best);
+    if (found)
+      result_.pairs.push_back(best);
+    else
+      ++result_.refused;
   }
 
  private:
@@ -117,19 +118,12 @@ class RayAssociator
 };
 }  // namespace
 
-int Associations::refused() const
-{
-  int sum = 0;
-  for (const RayTally& tally : tallies) sum += tally.refused;
-  return sum;
-}
-
 void associate(const DenoisedRays& rays, const Projection& projection, const SegmentedScan& current,
                const SegmentedScan& reference, double gateOrientation_rad,
                const PaperOptions& options, Associations& result)
 {
   result.pairs.clear();
-  result.tallies.assign(current.segments.size(), {});
+  result.refused = 0;
   result.normals.clear();
   for (const Segment& segment : reference.segments) result.normals.push_back(segment.line.normal());
   findSimilarSegments(projection, current, reference, gateOrientation_rad, options, result.similar);

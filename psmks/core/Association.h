@@ -20,25 +20,14 @@ struct Association
   double incidenceCosine;  //!< of the bearing to the reference line's normal, above 0
 };
 
-/** The visible rays of a current segment that meet some reference segment. */
-struct RayTally
-{
-  int associated = 0;
-  int refused = 0;  //!< the reference segment is not similar to their own
-
-  double refusedShare() const { return static_cast<double>(refused) / (associated + refused); }
-};
-
 /** What was associated at one pose. */
 struct Associations
 {
   std::vector<Association> pairs;
-  std::vector<RayTally> tallies;  //!< one per current segment
+  int refused = 0;  //!< visible rays that meet reference segments, none similar to their own
 
   std::vector<std::uint8_t> similar;     //!< current segment x reference segment, row by row
   std::vector<Eigen::Vector2d> normals;  //!< of the reference segments
-
-  int refused() const;  //!< rays
 };
 
 /** Associates projected rays with reference segments (paper, section 2.1).

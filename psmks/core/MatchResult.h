@@ -19,7 +19,7 @@ enum class MatchStatus
   MaxIterations,       //!< the iterations ran out first. Pose: the best estimate so far; usable.
   TooFewAssociations,  //!< fewer associated rays than `min_associations`. Failure.
   NoImprovement,       //!< paper: the matching error did not fall below that of the guess, or
-                       //!< not to `max_error`;
+                       //!< not to `max_residual_m`;
                        //!< joint: no pose tried reached the acceptance score. Failure.
   Degenerate,          //!< as Converged, but one direction is not observable (a corridor): along it
                //!< the pose is the guess, across it the estimate. Usable with its covariance.

@@ -3,11 +3,18 @@
 
 namespace psmks
 {
+void MatcherOptions::choosePaperScheme()
+{
+  constexpr int kMinRays = 4;
+  scheme = Scheme::Paper;
+  segmentation.filter = LineFilter::Ekf;
+  segmentation.minRays = kMinRays;
+}
+
 MatcherOptions MatcherOptions::paperScheme()
 {
   MatcherOptions options;
-  options.scheme = Scheme::Paper;
-  options.segmentation.filter = LineFilter::Ekf;
+  options.choosePaperScheme();
   return options;
 }
 

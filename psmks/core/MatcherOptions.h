@@ -23,6 +23,10 @@ struct MatcherOptions
   PaperOptions paper;
   JointOptions joint;
 
+  /** Chooses the paper's scheme, its line filter, and segments as short as suit a scheme that
+   *  matches nothing else. */
+  void choosePaperScheme();
+
   /** The method of the paper to the letter (config/psmks-paper.ini). */
   static MatcherOptions paperScheme();
 };

@@ -2,6 +2,7 @@
 #include <psmks/core/MatchingError.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace psmks
 {
@@ -10,27 +11,27 @@ namespace
 /** No scanner's rays are more certain than this; keeps the weights of an exact scan finite. */
 constexpr double kLeastSigma_m = 1e-3;
 
-double variance_m2(const Segment& segment)
+double leastVariance_m2(const SegmentedScan& scan)
 {
-  return std::max(segment.sigma_m * segment.sigma_m, kLeastSigma_m * kLeastSigma_m);
+  const double sigma_m = std::max(scan.rangeSigma_m, kLeastSigma_m);
+  return sigma_m * sigma_m;
 }
 
-Reliability reliabilityOf(const Segment& a, const Segment& b)
+double variance_m2(const Segment& segment, const SegmentedScan& scan)
 {
-  return {static_cast<double>(a.rays + b.rays), variance_m2(a) + variance_m2(b)};
+  return std::max(segment.sigma_m * segment.sigma_m, leastVariance_m2(scan));
 }
 }  // namespace
 
 void SegmentReliability::assign(const SegmentedScan& current, const SegmentedScan& reference)
 {
   referenceSegments_ = reference.segments.size();
+  leastVariance_m2_ = psmks::leastVariance_m2(current) + psmks::leastVariance_m2(reference);
   pairs_.clear();
-  alone_.clear();
   for (const Segment& c : current.segments)
-  {
-    alone_.push_back(reliabilityOf(c, c));
-    for (const Segment& r : reference.segments) pairs_.push_back(reliabilityOf(c, r));
-  }
+    for (const Segment& r : reference.segments)
+      pairs_.push_back({static_cast<double>(c.rays + r.rays),
+                        variance_m2(c, current) + variance_m2(r, reference)});
 }
 
 double matchingError(const Associations& associations, const SegmentReliability& reliability,
@@ -44,15 +45,18 @@ double matchingError(const Associations& associations, const SegmentReliability&
     sum += pair.weight() * std::min(a.residual_m * a.residual_m, worst_m2);
     points += pair.points;
   }
-  for (std::size_t c = 0; c < associations.tallies.size(); ++c)
+  return points > 0 ? sum / points : worst_m2 / reliability.leastVariance_m2();
+}
+
+double rmsResidual_m(const Associations& associations, const SegmentReliability& reliability)
+{
+  double sum_m2 = 0, points = 0;
+  for (const Association& a : associations.pairs)
   {
-    const RayTally& tally = associations.tallies[c];
-    if (tally.refused == 0) continue;
-    const Reliability& alone = reliability.alone(static_cast<int>(c));
-    const double counted = tally.refused * tally.refusedShare();
-    sum += counted * alone.weight() * worst_m2;
-    points += counted * alone.points;
+    const double n = reliability.ofPair(a.currentSegment, a.referenceSegment).points;
+    sum_m2 += n * a.residual_m * a.residual_m;
+    points += n;
   }
-  return points > 0 ? sum / points : 0;
+  return points > 0 ? std::sqrt(sum_m2 / points) : 0;
 }
 }  // namespace psmks

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/OrientationSearch.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace psmks
@@ -13,35 +14,60 @@ int stepsWithin(double range_rad, double step_rad)
   return static_cast<int>(std::floor(range_rad / step_rad + 1e-6));
 }
 
-void append(MatchTrace::OrientationCurve& curve, double phi_rad, const PoseObjective::Value& value)
+using Trials = std::vector<PoseObjective::Trial>;
+
+void tryAbout(PoseObjective& objective, const Pose2& start, double range_rad, double step_rad)
 {
-  curve.phi_rad.push_back(phi_rad);
-  curve.error.push_back(value.error);
-  curve.associations.push_back(value.associations);
+  const bool gateAtStart = objective.options().gateOrientation == GateOrientation::Prior;
+  const int steps = stepsWithin(range_rad, step_rad);
+  Trials& trials = objective.trials();
+  trials.clear();
+  for (int k = -steps; k <= steps; ++k)
+  {
+    Pose2 tested = start;
+    tested.phi_rad = wrapAngle(start.phi_rad + k * step_rad);
+    const double gateOrientation_rad = gateAtStart ? start.phi_rad : tested.phi_rad;
+    trials.push_back({tested.phi_rad, objective.evaluate(tested, gateOrientation_rad)});
+  }
+}
+
+/** The smallest error among the orientations that associate nearly as many rays as any. */
+OrientationMinimum minimumOf(const Trials& trials, const PaperOptions& options)
+{
+  int most = 0;
+  for (const auto& trial : trials) most = std::max(most, trial.value.associations);
+  const double enough =
+      std::max<double>(options.minAssociations, options.minAssociationShare * most);
+  OrientationMinimum best;
+  for (const auto& trial : trials)
+  {
+    if (trial.value.associations < enough) continue;
+    if (best.found && trial.value.error >= best.value.error) continue;
+    best = {true, trial.phi_rad, trial.value};
+  }
+  return best;
+}
+
+MatchTrace::OrientationCurve curveOf(const Trials& trials)
+{
+  MatchTrace::OrientationCurve curve;
+  for (const auto& trial : trials)
+  {
+    curve.phi_rad.push_back(trial.phi_rad);
+    curve.error.push_back(trial.value.error);
+    curve.associations.push_back(trial.value.associations);
+  }
+  return curve;
 }
 
 OrientationMinimum searchStage(PoseObjective& objective, const Pose2& start, double range_rad,
                                double step_rad, MatchTrace* trace)
 {
-  const PaperOptions& options = objective.options();
-  OrientationMinimum best;
-  best.phi_rad = start.phi_rad;
-  MatchTrace::OrientationCurve curve;
-  const int steps = stepsWithin(range_rad, step_rad);
-  for (int k = -steps; k <= steps; ++k)
-  {
-    Pose2 tested = start;
-    tested.phi_rad = wrapAngle(start.phi_rad + k * step_rad);
-    const bool gateAtStart = options.gateOrientation == GateOrientation::Prior;
-    const PoseObjective::Value value =
-        objective.evaluate(tested, gateAtStart ? start.phi_rad : tested.phi_rad);
-    if (trace) append(curve, tested.phi_rad, value);
-    if (value.associations < options.minAssociations) continue;
-    if (best.found && value.error >= best.value.error) continue;
-    best = {true, tested.phi_rad, value};
-  }
-  if (trace) trace->orientationCurves.push_back(std::move(curve));
-  return best;
+  tryAbout(objective, start, range_rad, step_rad);
+  if (trace) trace->orientationCurves.push_back(curveOf(objective.trials()));
+  OrientationMinimum minimum = minimumOf(objective.trials(), objective.options());
+  if (!minimum.found) minimum.phi_rad = start.phi_rad;
+  return minimum;
 }
 }  // namespace
 

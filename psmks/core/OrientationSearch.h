@@ -15,8 +15,9 @@ struct OrientationMinimum
 };
 
 /** Orientation by brute force at a fixed translation (paper, section 2.3): the smallest matching
- *  error over start +- coarseRange_rad, then over the minimum +- fineRange_rad. Orientations with
- *  fewer than minAssociations associated rays do not count.
+ *  error over start +- coarseRange_rad, then over the minimum +- fineRange_rad. Orientations that
+ *  associate fewer rays than minAssociations, or than minAssociationShare of the most that one of
+ *  the stage associates, do not count.
  *  @param trace gets one curve per stage where not null */
 OrientationMinimum searchOrientation(PoseObjective& objective, const Pose2& start,
                                      MatchTrace* trace);

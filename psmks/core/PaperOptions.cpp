@@ -17,8 +17,12 @@ void listFields(OptionTable& table, PaperOptions& o)
             "each one tried");
   table.add("min_associations", o.minAssociations, 1, 100000,
             "fewer associated rays fail the match");
-  table.add("max_error", o.maxError, Unit::None, 0, 1e9,
-            "a larger matching error at the end fails the match (1 or less is a good one); 0: off");
+  table.add(
+      "min_association_share", o.minAssociationShare, Unit::None, 0, 1,
+      "a pose that associates a smaller share of the rays that another does is the worse one, "
+      "whatever its error; 0: off");
+  table.add("max_residual_m", o.maxResidual_m, Unit::Metre, 0, 100,
+            "a larger root mean square residual at the end fails the match; 0: off");
   table.add("coarse_range_deg", o.coarseRange_rad, Unit::Degree, 0, degToRad(180),
             "half width of the coarse orientation search");
   table.add("coarse_step_deg", o.coarseStep_rad, Unit::Degree, degToRad(1e-3), degToRad(45),
@@ -32,7 +36,8 @@ void listFields(OptionTable& table, PaperOptions& o)
   table.add("translation_solver", o.translationSolver, {"closed-form", "ceres"},
             "who solves the translation regression");
   table.add("step_halvings", o.stepHalvings, 0, 10,
-            "times that a translation step that raises the error is halved; 0: the paper's");
+            "a translation step is tried at its length, half of it, a quarter ..., so many times "
+            "halved");
   table.add("max_iterations", o.maxIterations, 1, 1000,
             "alternations of orientation search and translation regression");
   table.add("stop_translation_m", o.stopTranslation_m, Unit::Metre, 0, 1,

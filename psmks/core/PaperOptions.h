@@ -34,14 +34,15 @@ struct PaperOptions
   double mahalanobisGate = 0;  //!< 0 = off, as in the paper
   GateOrientation gateOrientation = GateOrientation::Tested;
   int minAssociations = 30;
+  double minAssociationShare = 0.9;  //!< of another pose's, to compare by the error; 0 = any number
   double coarseRange_rad = degToRad(20);
   double coarseStep_rad = degToRad(1);
   double fineRange_rad = degToRad(1);
   double fineStep_rad = degToRad(0.1);
-  double maxError = 20;  //!< a larger matching error at the end fails; 0 = off
+  double maxResidual_m = 0.05;  //!< a larger root mean square at the end fails; 0 = off
   TranslationJacobian jacobian = TranslationJacobian::FrozenBearing;
   TranslationSolver translationSolver = TranslationSolver::ClosedForm;
-  int stepHalvings = 3;  //!< of a translation step that raises the error; 0 = the paper
+  int stepHalvings = 3;  //!< shorter translation steps that are tried too; 0 = none
   int maxIterations = 30;
   double stopTranslation_m = 1e-3;
   double stopRotation_rad = degToRad(0.05);

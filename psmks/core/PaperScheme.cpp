@@ -54,10 +54,9 @@ class PaperMatch
       const bool first = result_.iterations == 1;
       Estimate next = estimate;
       if (!turn(next)) return first ? MatchStatus::TooFewAssociations : MatchStatus::Converged;
-      shift(next, estimate.value.error);
+      shift(next);
       const bool small = isSmall(estimate.T_ref_cur, next.T_ref_cur);
-      const bool enough = next.value.associations >= options_.minAssociations;
-      const bool improved = enough && next.value.error < estimate.value.error;
+      const bool improved = buffers_.objective.isBetter(next.value, estimate.value);
       if (improved) estimate = next;
       if (small) return MatchStatus::Converged;
       if (!improved) return first ? MatchStatus::NoImprovement : MatchStatus::Converged;
@@ -78,11 +77,11 @@ class PaperMatch
     return minimum.found;
   }
 
-  /** Translation regression. A step that does not bring the error below `before` is halved. */
-  void shift(Estimate& estimate, double before)
+  /** Translation regression: the best along the step, or no step where all of it is worse. */
+  void shift(Estimate& estimate)
   {
     Stopwatch watch;
-    PoseObjective& objective = buffers_.objective;
+    const PoseObjective& objective = buffers_.objective;
     const Pose2 start = estimate.T_ref_cur;
     evaluated(start);
     buildTranslationProblem(objective.projection(), objective.associations(),
@@ -90,8 +89,9 @@ class PaperMatch
     Eigen::Vector2d step_m = translationStep_m();
     for (int halvings = 0; halvings <= options_.stepHalvings; ++halvings, step_m /= 2)
     {
-      estimate = evaluated({start.x_m + step_m.x(), start.y_m + step_m.y(), start.phi_rad});
-      if (estimate.value.error < before) break;
+      const Estimate tried =
+          evaluated({start.x_m + step_m.x(), start.y_m + step_m.y(), start.phi_rad});
+      if (objective.isBetter(tried.value, estimate.value)) estimate = tried;
     }
     result_.times.refinement_s += watch.lap_s();
     note("translation", estimate);
@@ -122,12 +122,21 @@ class PaperMatch
 
   // ---- conclusion -----------------------------------------------------------------------------
 
-  /** Accepts the estimate unless its error is too big; covariance and observability. */
+  /** True where the residuals of the last evaluation are too big. */
+  bool isTooBad() const
+  {
+    const PoseObjective& objective = buffers_.objective;
+    return options_.maxResidual_m > 0 &&
+           rmsResidual_m(objective.associations(), objective.reliability()) >
+               options_.maxResidual_m;
+  }
+
+  /** Accepts the estimate unless its residuals are too big; covariance and observability. */
   void conclude(const Estimate& estimate)
   {
     Stopwatch watch;
     const Estimate final = evaluated(estimate.T_ref_cur);
-    if (options_.maxError > 0 && final.value.error > options_.maxError)
+    if (isTooBad())
     {
       result_.status = MatchStatus::NoImprovement;
       return;

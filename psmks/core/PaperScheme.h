@@ -25,13 +25,15 @@ struct PaperBuffers
 /** Matches two scans by the scheme of the paper (section 2.3):
  *
  *  1. Orientation search at the present translation.
- *  2. Translation regression at the new orientation.
- *  3. The update is accepted only if the matching error falls; else the step is
- *     halved a few times, and if nothing helps the search ends.
+ *  2. Translation regression at the new orientation. The best of the step, half of it, a quarter
+ * ... is taken, or none if each of them leaves the pose worse than the orientation search did.
+ *  3. The update is accepted only if the pose is better than before (PoseObjective::isBetter()); if
+ *     it is not, the search ends.
  *  4. Again from 1, until the steps are small or the iterations run out.
  *
- * Differs from the paper: that rejects a step at once (stepHalvings = 0). Its Jacobian asks for
- * steps up to twice too long, and many matches then end on their first alternation.
+ * Differs from the paper: that speaks of the error after both steps alone. What the orientation
+ * search gains, often a hundredfold, then pays for a translation step that raises the error again,
+ * and the Jacobian asks for steps up to twice too long. So each step has to pay for itself.
  *
  * Bad data never throws, see MatchStatus.
  *

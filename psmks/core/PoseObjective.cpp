@@ -19,6 +19,14 @@ PoseObjective::Value PoseObjective::evaluate(const Pose2& T_ref_cur, double gate
   associate(rays_, projection_, *current_, *reference_, gateOrientation_rad, *options_,
             associations_);
   return {matchingError(associations_, reliability_, *options_),
-          static_cast<int>(associations_.pairs.size()), associations_.refused()};
+          static_cast<int>(associations_.pairs.size()), associations_.refused};
+}
+
+bool PoseObjective::isBetter(const Value& value, const Value& other) const
+{
+  if (value.associations < options_->minAssociations) return false;
+  if (value.associations < options_->minAssociationShare * other.associations) return false;
+  if (other.associations < options_->minAssociationShare * value.associations) return true;
+  return value.error < other.error;
 }
 }  // namespace psmks

@@ -4,6 +4,8 @@
 #include <psmks/core/MatchingError.h>
 #include <psmks/core/Projection.h>
 
+#include <vector>
+
 namespace psmks
 {
 /** The objective function f of the paper (section 2.3): a pose in, a matching error out. Each
@@ -25,6 +27,26 @@ class PoseObjective
   /** @param gateOrientation_rad heading of the current scan at which the angle gate is tested */
   Value evaluate(const Pose2& T_ref_cur, double gateOrientation_rad);
 
+  /** True where a pose is better than another: it associates minAssociations rays and its matching
+   *  error is smaller. Where one of the two associates less than minAssociationShare of the other's
+   *  rays, the other is better, whatever the errors.
+   *
+   *  Differs from the paper: that leaves open how errors over different numbers of rays compare.
+   * The mean falls whenever a badly fitting pair is lost, and the pose with the least overlap would
+   *  win. A charge on lost rays makes the error jump with every short segment that crosses a gate.
+   */
+  bool isBetter(const Value& value, const Value& other) const;
+
+  /** An orientation that a search tried. */
+  struct Trial
+  {
+    double phi_rad;
+    Value value;
+  };
+
+  /** The buffer of the orientation search. */
+  std::vector<Trial>& trials() { return trials_; }
+
   /** Of the last evaluation. */
   const Projection& projection() const { return projection_; }
   const Associations& associations() const { return associations_; }
@@ -42,5 +64,6 @@ class PoseObjective
   SegmentReliability reliability_;
   Projection projection_;
   Associations associations_;
+  std::vector<Trial> trials_;
 };
 }  // namespace psmks

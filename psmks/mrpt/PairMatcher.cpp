@@ -22,8 +22,7 @@ std::unique_ptr<PairMatcher> makePsmks(const std::string& name, MatcherOptions o
 
 std::unique_ptr<PairMatcher> makePsmksPaper(const std::string& name, MatcherOptions options)
 {
-  options.scheme = Scheme::Paper;
-  options.segmentation.filter = LineFilter::Ekf;
+  if (options.scheme != Scheme::Paper) options.choosePaperScheme();
   return makePsmks(name, std::move(options));
 }
 

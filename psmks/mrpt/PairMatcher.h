@@ -46,7 +46,7 @@ std::vector<std::string> pairMatcherNames();
  *
  *  - `psmks`: these options
  *  - `psmks-ceres`: these options, but Ceres as the solver; known where it was built
- *  - `psmks-paper`: these options, but the paper's scheme and line filter
+ *  - `psmks-paper`: these options, but the choices of the paper's scheme where they have the other
  *  - `icp-classic`, `icp-lm`: mrpt::slam::CICP with its default parameters
  *  - `guess`: no match at all, the guess is the answer
  *

@@ -69,10 +69,11 @@ TEST_F(MatcherOptionsTest, TheKeyEndsInTheUnitOfItsValue)
           << field.key << ": " << field.constraint;
 }
 
-TEST_F(MatcherOptionsTest, ThePaperSchemeIsAnotherSchemeAndAnotherLineFilter)
+TEST_F(MatcherOptionsTest, ThePaperSchemeIsAnotherSchemeLineFilterAndShortestSegment)
 {
   MatcherOptions paper = MatcherOptions::paperScheme();
-  EXPECT_EQ(fieldsThatDiffer(table, optionTable(paper)),
-            (std::set<std::string>{"matcher.scheme", "segmentation.filter"}));
+  EXPECT_EQ(
+      fieldsThatDiffer(table, optionTable(paper)),
+      (std::set<std::string>{"matcher.scheme", "segmentation.filter", "segmentation.min_rays"}));
 }
 }  // namespace psmks

@@ -24,18 +24,11 @@ class MatchingErrorTest : public testing::Test
   {
     scan_.segments = {segment(60, 0.01), segment(10, 0.02)};
     reliability_.assign(scan_, scan_);
-    associations_.tallies.assign(2, {});
   }
 
   void associate(int wall, int rays, double residual_m)
   {
     for (int i = 0; i < rays; ++i) associations_.pairs.push_back({0, wall, wall, residual_m, 1});
-    associations_.tallies[static_cast<std::size_t>(wall)].associated += rays;
-  }
-
-  void refuse(int wall, int rays)
-  {
-    associations_.tallies[static_cast<std::size_t>(wall)].refused += rays;
   }
 
   double error() const { return matchingError(associations_, reliability_, options_); }
@@ -69,28 +62,50 @@ TEST_F(MatchingErrorTest, DoesNotDependOnTheNumberOfAssociatedRays)
   EXPECT_NEAR(error(), fewer, 1e-12);
 }
 
-TEST_F(MatchingErrorTest, LosingABadlyFittingWallDoesNotPay)
+TEST_F(MatchingErrorTest, NoSegmentIsMoreCertainThanItsScanner)
 {
-  associate(0, 40, 0.01);
-  associate(1, 10, 0.19);
-  const double kept = error();
-  associations_.pairs.resize(40);
-  associations_.tallies[1] = {0, 10};
-  EXPECT_GT(error(), kept);
+  scan_.segments[1].sigma_m = 0.002;
+  scan_.rangeSigma_m = 0.01;
+  reliability_.assign(scan_, scan_);
+  EXPECT_DOUBLE_EQ(reliability_.ofPair(1, 1).weight(), 20 / 2e-4);
 }
 
-TEST_F(MatchingErrorTest, ARayThatSlipsRoundACornerHardlyCounts)
+TEST_F(MatchingErrorTest, RootMeanSquareIsInMetresAndWeighsByPoints)
 {
-  associate(0, 40, 0.01);
-  const double before = error();
-  refuse(0, 1);
-  const double slipped = error();
-  EXPECT_GT(slipped, before);
-  // As a full refused ray it would add 1/41 of (20 cm)^2 / s^2 = 4.9.
-  EXPECT_LT(slipped - before, 0.2);
+  associate(0, 10, 0.01);
+  EXPECT_NEAR(rmsResidual_m(associations_, reliability_), 0.01, 1e-12);
+  associate(1, 60, -0.03);  // 60 rays of 20 points against 10 rays of 120: as much
+  EXPECT_NEAR(rmsResidual_m(associations_, reliability_), std::sqrt((1e-4 + 9e-4) / 2), 1e-12);
 }
 
-TEST_F(MatchingErrorTest, NothingToCompareIsNoError) { EXPECT_EQ(error(), 0); }
+TEST_F(MatchingErrorTest, NothingToCompareIsTheWorstThereIs)
+{
+  scan_.rangeSigma_m = 0.01;
+  reliability_.assign(scan_, scan_);
+  const double nothing = error();
+  associate(0, 40, 1.0);
+  EXPECT_DOUBLE_EQ(nothing, error());
+}
+
+TEST_F(MatchingErrorTest, NothingToCompareHasNoResidual)
+{
+  EXPECT_EQ(rmsResidual_m(associations_, reliability_), 0);
+}
+
+TEST(PoseObjectiveTest, ErrorsCompareOnlyBetweenAboutAsManyRays)
+{
+  SegmentedScan scan;
+  PaperOptions options;
+  options.minAssociationShare = 0.9;
+  PoseObjective objective;
+  objective.assign(scan, scan, options);
+  using Value = PoseObjective::Value;
+  EXPECT_TRUE(objective.isBetter(Value{1, 95, 0}, Value{2, 100, 0}));
+  EXPECT_FALSE(objective.isBetter(Value{2, 100, 0}, Value{1, 95, 0}));
+  EXPECT_FALSE(objective.isBetter(Value{1, 80, 0}, Value{2, 100, 0}));  // lost its bad pairs
+  EXPECT_TRUE(objective.isBetter(Value{2, 100, 0}, Value{1, 80, 0}));
+  EXPECT_FALSE(objective.isBetter(Value{0, options.minAssociations - 1, 0}, Value{2, 30, 0}));
+}
 
 // The curve of Fig. 1(c): over the orientation the error looks like a U, not a V. Squared errors
 // grow fourfold when the offset doubles; absolute ones would double.

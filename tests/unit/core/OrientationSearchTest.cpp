@@ -61,6 +61,17 @@ TEST_F(OrientationSearchTest, TraceHoldsBothCurves)
   EXPECT_EQ(*std::min_element(fine.error.begin(), fine.error.end()), minimum.value.error);
 }
 
+TEST_F(OrientationSearchTest, OrientationsThatLoseRaysDoNotCount)
+{
+  MatchTrace trace;
+  const OrientationMinimum minimum = search(7.3, &trace);
+  for (const MatchTrace::OrientationCurve& curve : trace.orientationCurves)
+  {
+    const int most = *std::max_element(curve.associations.begin(), curve.associations.end());
+    EXPECT_GE(minimum.value.associations, options_.minAssociationShare * most);
+  }
+}
+
 TEST_F(OrientationSearchTest, StepsAndRangesAreOptions)
 {
   options_.coarseRange_rad = degToRad(5);

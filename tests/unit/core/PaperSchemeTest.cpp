@@ -132,13 +132,32 @@ TEST_F(PaperSchemeTest, TooFewRaysKeepTheGuessAndItsCovariance)
   EXPECT_EQ(result.covariance, *guess.covariance);
 }
 
-TEST_F(PaperSchemeTest, ALargeErrorAtTheEndFails)
+TEST_F(PaperSchemeTest, LargeResidualsAtTheEndFail)
 {
   scan(officeRoom(), {0.12, -0.08, degToRad(6.3)}, 0.01);
-  options_.maxError = 1e-9;
+  options_.maxResidual_m = 1e-3;
   const MatchResult result = match({});
   EXPECT_EQ(result.status, MatchStatus::NoImprovement);
   EXPECT_TRUE(isNearly(result.T_ref_cur, {}, 0, 0));
+}
+
+// The orientation search lowers the error a hundredfold; a translation step may not spend that.
+TEST_F(PaperSchemeTest, NoTranslationStepRaisesTheErrorThatTheOrientationLeft)
+{
+  for (unsigned seed = 0; seed < 10; ++seed)
+  {
+    scan(clutteredRoom(seed), {0.3, -0.1, degToRad(6.36)}, 0.01);
+    MatchTrace trace;
+    match({{0.305, -0.097, degToRad(5)}, {}}, &trace);
+    ASSERT_GE(trace.steps.size(), 2U);
+    for (std::size_t k = 1; k < trace.steps.size(); k += 2)
+    {
+      const MatchTrace::Step& turned = trace.steps[k - 1];
+      const MatchTrace::Step& shifted = trace.steps[k];
+      const bool gainsRays = turned.kept < options_.minAssociationShare * shifted.kept;
+      EXPECT_TRUE(gainsRays || shifted.error <= turned.error) << seed;
+    }
+  }
 }
 
 //   ------------------------------   Along a bare corridor the guess stands and the result says so;
