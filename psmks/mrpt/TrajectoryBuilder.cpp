@@ -23,6 +23,13 @@ UncertainPose difference(const Pose2& T_a_b, const UncertainPose& T_a_c)
   R.topLeftCorner<2, 2>() = T_b_a.rotation();
   return {T_b_a * T_a_c.pose, R * T_a_c.covariance * R.transpose()};
 }
+/** Whether two corrections of a pose say the same. */
+bool isAlike(const Pose2& a, const Pose2& b)
+{
+  constexpr double kApart_m = 0.05, kApart_rad = degToRad(1);
+  return (a.translation() - b.translation()).norm() < kApart_m &&
+         std::abs(wrapAngle(a.phi_rad - b.phi_rad)) < kApart_rad;
+}
 }  // namespace
 
 TrajectoryBuilder::TrajectoryBuilder(std::unique_ptr<PairMatcher> matcher,
@@ -156,25 +163,33 @@ void TrajectoryBuilder::joinMap(std::size_t index)
   map_.add(scans_, index, links);
 }
 
+/** A match counts where it agrees with the map, or with another match: a loop that closes moves the
+ * scan against all old keyframes alike, a wrong match is alone. */
 std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(const PosedScan& current)
 {
-  // Farther from where the map expects it, a match is held for wrong.
-  constexpr double kFarthest_m = 0.5, kFarthest_rad = degToRad(5);
-  std::vector<ReferenceMatch> matches;
+  std::vector<ReferenceMatch> found;
+  std::vector<Pose2> corrections;  // of the scan's pose, by each match
   for (const std::size_t keyframe : map_.around(scans_, current))
   {
-    if (matches.size() == policy_.mostLinks()) break;
+    if (found.size() == policy_.mostLinks()) break;
     if (keyframe == reference_) continue;
     const PosedScan& other = scans_[keyframe];
     const Pose2 expected = other.T_world_robot.pose.inverse() * current.T_world_robot.pose;
     matcher_->setReference(other.scan);
-    const ReferenceMatch found = match(current, keyframe, expected, std::nullopt);
-    const Pose2 moved = expected.inverse() * found.T_ref_cur.pose;
-    if (policy_.isLink(found.result) && moved.translation().norm() < kFarthest_m &&
-        std::abs(moved.phi_rad) < kFarthest_rad)
-      matches.push_back(found);
+    const ReferenceMatch candidate = match(current, keyframe, expected, std::nullopt);
+    if (!policy_.isLink(candidate.result)) continue;
+    found.push_back(candidate);
+    corrections.push_back(expected.inverse() * candidate.T_ref_cur.pose);
   }
-  return matches;
+
+  std::vector<ReferenceMatch> confirmed;
+  for (std::size_t m = 0; m < found.size(); ++m)
+  {
+    const auto agrees = [&](const Pose2& other) { return isAlike(corrections[m], other); };
+    const auto witnesses = std::count_if(corrections.begin(), corrections.end(), agrees);
+    if (agrees(Pose2()) || witnesses > 1) confirmed.push_back(found[m]);
+  }
+  return confirmed;
 }
 
 /** The way here and the way there may share errors; taken as independent they make the guess less
