@@ -81,6 +81,25 @@ struct LinePairCost
   Eigen::Matrix2d root;
 };
 
+struct CirclePairCost
+{
+  explicit CirclePairCost(const CirclePairTerm& t) : term(t), root(rootOf<2>(t.information)) {}
+
+  template <class T>
+  bool operator()(const T* pose, T* residual) const
+  {
+    const Vector2<T> turned = rotated(pose, term.curCentre_m);
+    const T x = turned.x() + pose[0] - term.refCentre_m.x();
+    const T y = turned.y() + pose[1] - term.refCentre_m.y();
+    residual[0] = root(0, 0) * x + root(0, 1) * y;
+    residual[1] = root(1, 1) * y;
+    return true;
+  }
+
+  const CirclePairTerm& term;
+  Eigen::Matrix2d root;
+};
+
 struct RayCost
 {
   explicit RayCost(const RayTerm& t) : term(t), root(std::sqrt(t.information)) {}
@@ -159,13 +178,18 @@ class CeresSolvers : public ExternalSolvers
 
   bool solveJoint(const JointProblem& terms, Pose2& T_ref_cur) const override
   {
-    if (terms.linePairs.empty() && terms.rays.empty() && !terms.prior) return false;
+    if (terms.linePairs.empty() && terms.circlePairs.empty() && terms.rays.empty() && !terms.prior)
+      return false;
     double pose[3] = {T_ref_cur.x_m, T_ref_cur.y_m, T_ref_cur.phi_rad};
     ceres::CauchyLoss kernel(terms.kernelWidth);
     ceres::Problem problem(sharedLoss());
     for (const LinePairTerm& term : terms.linePairs)
       problem.AddResidualBlock(
           new ceres::AutoDiffCostFunction<LinePairCost, 2, 3>(new LinePairCost(term)), &kernel,
+          pose);
+    for (const CirclePairTerm& term : terms.circlePairs)
+      problem.AddResidualBlock(
+          new ceres::AutoDiffCostFunction<CirclePairCost, 2, 3>(new CirclePairCost(term)), &kernel,
           pose);
     for (const RayTerm& term : terms.rays)
       problem.AddResidualBlock(new ceres::AutoDiffCostFunction<RayCost, 1, 3>(new RayCost(term)),

@@ -24,6 +24,17 @@ struct LinePairTerm
   double angleVariance_rad2 = 0;  //!< of the angle between both lines
 };
 
+/** A current circle held against a reference circle.
+ *
+ * Residual (2): R q + t - p. */
+struct CirclePairTerm
+{
+  Eigen::Vector2d refCentre_m;  //!< p, where the current centre belongs, reference frame: the
+                                //!< reference centre, put right by the difference of the radii
+  Eigen::Vector2d curCentre_m;  //!< q, current frame
+  Eigen::Matrix2d information;  //!< inverse covariance of the residual, of both circles
+};
+
 /** An unsegmented ray of one scan held against a line of the other.
  *
  * Residual: n.(R q + t) - d for a current point q and a reference line (n, d);
@@ -44,12 +55,13 @@ struct PriorTerm
   Eigen::Matrix3d information;  //!< of (x, y, phi) in reference axes
 };
 
-/** Least squares over the pose with fixed associations. The cost of a line pair or a ray with
+/** Least squares over the pose with fixed associations. The cost of a pair or a ray with
  * squared Mahalanobis distance s is rho(s) = k^2 log(1 + s / k^2) (Cauchy, k = kernelWidth); the
  * prior has no kernel. Cost = 1/2 sum rho(s_i) + 1/2 prior. */
 struct JointProblem
 {
   std::vector<LinePairTerm> linePairs;
+  std::vector<CirclePairTerm> circlePairs;
   std::vector<RayTerm> rays;
   std::optional<PriorTerm> prior;
   double kernelWidth = 3.0;
@@ -57,6 +69,7 @@ struct JointProblem
   void clear()
   {
     linePairs.clear();
+    circlePairs.clear();
     rays.clear();
     prior.reset();
   }

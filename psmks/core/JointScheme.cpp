@@ -114,7 +114,7 @@ class JointMatch
     {
       const bool last = round + 1 == options_.reassociations;
       gates.singleRaySlack_m = last ? 0 : kSlack * gates.distance_m;
-      gates.shortLines = last;
+      gates.fine = last;
       problem.clear();
       problem.kernelWidth = options_.kernelWidth;
       problem.prior = guess_.covariance ? guessPrior_ : startPrior(candidate.T_ref_cur);

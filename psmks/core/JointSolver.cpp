@@ -30,6 +30,14 @@ LinePairResidual residualAt(const LinePairTerm& term, const Motion& T)
   return r;
 }
 
+CirclePairResidual residualAt(const CirclePairTerm& term, const Motion& T)
+{
+  CirclePairResidual r;
+  r.e = T.R * term.curCentre_m + T.t - term.refCentre_m;
+  r.J << Eigen::Matrix2d::Identity(), T.dR * term.curCentre_m;
+  return r;
+}
+
 RayResidual residualAt(const RayTerm& term, const Motion& T)
 {
   if (term.pointIsCurrent)
@@ -52,6 +60,19 @@ struct Kernel
   double weight(double s) const { return 1 / (1 + s / k2); }
   double k2;
 };
+
+/** Adds a pair, whose residual has two parts. */
+template <class Residual>
+void addPair(const Residual& r, const Eigen::Matrix2d& information, const Kernel& kernel,
+             NormalEquations& n)
+{
+  const double s = r.e.dot(information * r.e);
+  const Eigen::Matrix2d W = kernel.weight(s) * information;
+  const Eigen::Matrix<double, 3, 2> JtW = r.J.transpose() * W;
+  n.H += JtW * r.J;
+  n.g -= JtW * r.e;
+  n.cost += 0.5 * kernel.cost(s);
+}
 
 void addPrior(const PriorTerm& prior, const Pose2& T, NormalEquations& n)
 {
@@ -78,6 +99,11 @@ LinePairResidual residual(const LinePairTerm& term, const Pose2& T_ref_cur)
   return residualAt(term, Motion(T_ref_cur));
 }
 
+CirclePairResidual residual(const CirclePairTerm& term, const Pose2& T_ref_cur)
+{
+  return residualAt(term, Motion(T_ref_cur));
+}
+
 RayResidual residual(const RayTerm& term, const Pose2& T_ref_cur)
 {
   return residualAt(term, Motion(T_ref_cur));
@@ -89,15 +115,9 @@ NormalEquations linearise(const JointProblem& problem, const Pose2& T_ref_cur, b
   const Kernel kernel(problem.kernelWidth);
   NormalEquations n;
   for (const LinePairTerm& term : problem.linePairs)
-  {
-    const LinePairResidual r = residualAt(term, T);
-    const double s = r.e.dot(term.information * r.e);
-    const Eigen::Matrix2d W = kernel.weight(s) * term.information;
-    const Eigen::Matrix<double, 3, 2> JtW = r.J.transpose() * W;
-    n.H += JtW * r.J;
-    n.g -= JtW * r.e;
-    n.cost += 0.5 * kernel.cost(s);
-  }
+    addPair(residualAt(term, T), term.information, kernel, n);
+  for (const CirclePairTerm& term : problem.circlePairs)
+    addPair(residualAt(term, T), term.information, kernel, n);
   for (const RayTerm& term : problem.rays)
   {
     const RayResidual r = residualAt(term, T);

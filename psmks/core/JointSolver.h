@@ -25,6 +25,13 @@ struct LinePairResidual
 };
 LinePairResidual residual(const LinePairTerm& term, const Pose2& T_ref_cur);
 
+struct CirclePairResidual
+{
+  Eigen::Vector2d e;
+  Eigen::Matrix<double, 2, 3> J;
+};
+CirclePairResidual residual(const CirclePairTerm& term, const Pose2& T_ref_cur);
+
 struct RayResidual
 {
   double e;

@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/CirclePairing.h>
 #include <psmks/core/FreeStanding.h>
 #include <psmks/core/LinePairing.h>
 #include <psmks/core/Patches.h>
@@ -48,7 +49,14 @@ class Pairing
 
   int run()
   {
-    for (std::size_t c = 0; c < straights(cur_); ++c) pairStraight(c);
+    for (std::size_t c = 0; c < straights(cur_); ++c)
+      if (!isRound(cur_, cur_.straights[c])) pairStraight(c);
+    if (gates_.fine)
+    {
+      circles_ = pairCircles(ref_.circles, cur_.circles, T_ref_cur_, gates_.distance_m,
+                             problem_.circlePairs);
+      associations_ += circles_.rays;
+    }
     pairSingles(cur_, ref_, T_ref_cur_, true);
     pairSingles(ref_, cur_, T_ref_cur_.inverse(), false);
     return associations_;
@@ -58,7 +66,13 @@ class Pairing
   /** How many of a scan's straight lines are to be paired. */
   std::size_t straights(const MatchView& view) const
   {
-    return gates_.shortLines ? view.straights.size() : view.scan->segments.size();
+    return gates_.fine ? view.straights.size() : view.scan->segments.size();
+  }
+
+  /** Whether a segment has turned out to be part of an arc and is left to the circles. */
+  bool isRound(const MatchView& view, const Segment& straight) const
+  {
+    return gates_.fine && view.circleOfRay[static_cast<std::size_t>(straight.firstRay)] >= 0;
   }
 
   double index(const Eigen::Vector2d& p_ref_m) const
@@ -82,6 +96,7 @@ class Pairing
     for (std::size_t r = 0; r < straights(ref_); ++r)
     {
       const Segment& other = ref_.straights[r];
+      if (isRound(ref_, other)) continue;
       const double refFirst = other.firstRay;
       const double refLast = other.lastRay + (other.lastRay < other.firstRay ? circle : 0);
       tryPair(c, r, {std::max(first, refFirst), std::min(last, refLast)}, normal, first_m);
@@ -138,7 +153,7 @@ class Pairing
     const double rangeVariance_m2 = from.scan->rangeSigma_m * from.scan->rangeSigma_m;
     for (const int single : from.singles)
     {
-      if (gates_.shortLines && isOnStraight(from, single)) continue;
+      if (isTaken(from, current ? circles_.current : circles_.reference, single)) continue;
       const Eigen::Vector2d point_m = from.scan->point_m(single);
       const Eigen::Vector2d p_m = R * point_m + t;
       const int line = nearestLine(to, p_m);
@@ -152,6 +167,14 @@ class Pairing
                                gates_.singleRayWeight / variance_m2});
       ++associations_;
     }
+  }
+
+  /** Whether a single ray has had its say with a short line or a circle. */
+  bool isTaken(const MatchView& view, const std::bitset<kMostCircles>& paired, int ray) const
+  {
+    if (!gates_.fine) return false;
+    const int circle = view.circleOfRay[static_cast<std::size_t>(ray)];
+    return isOnStraight(view, ray) || (circle >= 0 && paired[static_cast<std::size_t>(circle)]);
   }
 
   static bool isOnStraight(const MatchView& view, int ray)
@@ -186,6 +209,7 @@ class Pairing
   const Eigen::Matrix2d R_;
   const PairingGates& gates_;
   JointProblem& problem_;
+  PairedCircles circles_;
   int associations_ = 0;
 };
 }  // namespace
@@ -196,7 +220,8 @@ void MatchView::build(const SegmentedScan& segmented)
   findFreeStanding(segmented, movable);
   points.build(segmented, movable);
   lines.clear();
-  findShortLines(segmented, straights);
+  findCircles(segmented, circles, circleOfRay);
+  findShortLines(segmented, circleOfRay, straights);
   straights.insert(straights.begin(), segmented.segments.begin(), segmented.segments.end());
   for (const Segment& straight : straights) lines.emplace_back(straight.line);
   lineOfRay = segmented.segmentOfRay;

@@ -16,8 +16,12 @@ constexpr double kSteepest = 0.2;     //!< smallest cosine of incidence
 class ShortLineFinder
 {
  public:
-  ShortLineFinder(const SegmentedScan& scan, std::vector<Segment>& lines)
-      : scan_(scan), lines_(lines), variance_m2_(scan.rangeSigma_m * scan.rangeSigma_m)
+  ShortLineFinder(const SegmentedScan& scan, const std::vector<int>& circleOfRay,
+                  std::vector<Segment>& lines)
+      : scan_(scan),
+        circleOfRay_(circleOfRay),
+        lines_(lines),
+        variance_m2_(scan.rangeSigma_m * scan.rangeSigma_m)
   {
   }
 
@@ -27,7 +31,11 @@ class ShortLineFinder
   }
 
  private:
-  bool isSingle(int ray) const { return scan_.isValid(ray) && !scan_.segmentAt(ray); }
+  bool isSingle(int ray) const
+  {
+    return scan_.isValid(ray) && !scan_.segmentAt(ray) &&
+           circleOfRay_[static_cast<std::size_t>(ray)] < 0;
+  }
 
   MeasuredRay measured(int ray) const
   {
@@ -84,14 +92,16 @@ class ShortLineFinder
   }
 
   const SegmentedScan& scan_;
+  const std::vector<int>& circleOfRay_;
   std::vector<Segment>& lines_;
   double variance_m2_;
 };
 }  // namespace
 
-void findShortLines(const SegmentedScan& scan, std::vector<Segment>& lines)
+void findShortLines(const SegmentedScan& scan, const std::vector<int>& circleOfRay,
+                    std::vector<Segment>& lines)
 {
   lines.clear();
-  ShortLineFinder(scan, lines).run();
+  ShortLineFinder(scan, circleOfRay, lines).run();
 }
 }  // namespace psmks

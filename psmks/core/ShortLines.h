@@ -21,6 +21,8 @@ namespace psmks
  * Differs from the paper: there such rays are single points, which are not matched. Seen through
  * clutter, most walls are short lines.
  *
+ * @param circleOfRay rays with one are left alone, see findCircles()
  * @param[out] lines in the order of their rays, which stay without a segment in the scan */
-void findShortLines(const SegmentedScan& scan, std::vector<Segment>& lines);
+void findShortLines(const SegmentedScan& scan, const std::vector<int>& circleOfRay,
+                    std::vector<Segment>& lines);
 }  // namespace psmks

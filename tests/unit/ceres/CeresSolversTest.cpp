@@ -42,6 +42,7 @@ class CeresSolversTest : public testing::TestWithParam<unsigned>
     JointProblem problem;
     const double outlier_m = 0.5;
     for (int i = 0; i < 8; ++i) problem.linePairs.push_back(linePair(truth, i ? 0 : outlier_m));
+    for (int i = 0; i < 6; ++i) problem.circlePairs.push_back(circlePair(truth, i ? 0 : outlier_m));
     for (int i = 0; i < 12; ++i) problem.rays.push_back(ray(truth, i % 2 == 0, i ? 0 : outlier_m));
     return problem;
   }
@@ -51,6 +52,13 @@ class CeresSolversTest : public testing::TestWithParam<unsigned>
     const Eigen::Vector2d n = unit(), q = point();
     const double d = n.dot(truth * q) + off_m + between(-0.01, 0.01);
     return {n, d, q, wrapAngle(-truth.phi_rad + between(-0.005, 0.005)), information<2>(1e4)};
+  }
+
+  CirclePairTerm circlePair(const Pose2& truth, double off_m)
+  {
+    const Eigen::Vector2d q = point();
+    const Eigen::Vector2d noise_m(between(-0.01, 0.01), between(-0.01, 0.01));
+    return {truth * q + off_m * unit() + noise_m, q, information<2>(1e4)};
   }
 
   RayTerm ray(const Pose2& truth, bool pointIsCurrent, double off_m)
@@ -77,6 +85,11 @@ double costOf(const JointProblem& problem, const Pose2& pose)
   {
     const Eigen::Vector2d e(t.refNormal.dot(pose * t.curAnchor_m) - t.refDistance_m,
                             wrapAngle(t.angle_rad + pose.phi_rad));
+    cost += kernel(e.dot(t.information * e), problem.kernelWidth) / 2;
+  }
+  for (const CirclePairTerm& t : problem.circlePairs)
+  {
+    const Eigen::Vector2d e = pose * t.curCentre_m - t.refCentre_m;
     cost += kernel(e.dot(t.information * e), problem.kernelWidth) / 2;
   }
   for (const RayTerm& t : problem.rays)

@@ -41,6 +41,19 @@ class JointSolverTest : public testing::TestWithParam<unsigned>
             covariance.llt().solve(Eigen::Matrix2d::Identity())};
   }
 
+  /** The same of circles: the centre is better known across the view than along it. */
+  CirclePairTerm circlePair(const Pose2& truth)
+  {
+    const Eigen::Vector2d q = point(), along = unit();
+    const double across_m = random_.uniform(0.002, 0.01), along_m = random_.uniform(0.01, 0.05);
+    const Eigen::Matrix2d towards = along * along.transpose();
+    const Eigen::Matrix2d information =
+        (Eigen::Matrix2d::Identity() - towards) / (across_m * across_m) +
+        towards / (along_m * along_m);
+    const Eigen::Vector2d error_m(random_.normal(across_m), random_.normal(across_m));
+    return {truth * q + error_m, q, information};
+  }
+
   RayTerm ray(const Pose2& truth, bool pointIsCurrent)
   {
     const Eigen::Vector2d n = unit(), p = point();
@@ -53,6 +66,7 @@ class JointSolverTest : public testing::TestWithParam<unsigned>
   {
     JointProblem result;
     for (int i = 0; i < 12; ++i) result.linePairs.push_back(linePair(truth));
+    for (int i = 0; i < 6; ++i) result.circlePairs.push_back(circlePair(truth));
     for (int i = 0; i < 20; ++i) result.rays.push_back(ray(truth, i % 2 == 0));
     return result;
   }
@@ -99,6 +113,19 @@ TEST_P(JointSolverTest, TheJacobianOfALinePairIsTheNumericOne)
   }
 }
 
+TEST_P(JointSolverTest, TheJacobianOfACirclePairIsTheNumericOne)
+{
+  const Pose2 at = pose();
+  const CirclePairTerm term = circlePair(near(at));
+  const CirclePairResidual analytic = residual(term, at);
+  for (int column = 0; column < 3; ++column)
+  {
+    const Eigen::Vector2d numeric = numericDerivative(
+        at, column, [&](const Pose2& T) -> Eigen::Vector2d { return residual(term, T).e; });
+    EXPECT_LT((analytic.J.col(column) - numeric).norm(), 1e-7) << "column " << column;
+  }
+}
+
 TEST_P(JointSolverTest, TheJacobiansOfRaysAreTheNumericOnes)
 {
   const Pose2 at = pose();
@@ -125,6 +152,14 @@ TEST_P(JointSolverTest, TheNormalEquationsAreTheSumsOverTheTerms)
   for (const LinePairTerm& term : p.linePairs)
   {
     const LinePairResidual r = residual(term, at);
+    const double s = r.e.transpose() * term.information * r.e;
+    sum.H += r.J.transpose() * term.information * r.J / (1 + s / k2);
+    sum.g -= r.J.transpose() * term.information * r.e / (1 + s / k2);
+    sum.cost += k2 * std::log(1 + s / k2) / 2;
+  }
+  for (const CirclePairTerm& term : p.circlePairs)
+  {
+    const CirclePairResidual r = residual(term, at);
     const double s = r.e.transpose() * term.information * r.e;
     sum.H += r.J.transpose() * term.information * r.J / (1 + s / k2);
     sum.g -= r.J.transpose() * term.information * r.e / (1 + s / k2);
@@ -190,6 +225,20 @@ TEST_P(JointSolverTest, OneLineMovesThePoseAcrossItselfOnly)
   solveByGaussNewton(p, kManySteps, estimate);
   EXPECT_NEAR(n.dot(estimate.translation()), 0, 1e-4);
   EXPECT_NEAR(along.dot(estimate.translation()), 0.04, 1e-4);
+}
+
+// Two pillars fix the pose, as two points do; one leaves the heading as it is.
+TEST_P(JointSolverTest, TwoCirclesFixThePose)
+{
+  const Pose2 truth = pose();
+  const Eigen::Vector2d first(2, 1), second(-1, 3);
+  const Eigen::Matrix2d information = 1e4 * Eigen::Matrix2d::Identity();
+  JointProblem p;
+  p.circlePairs.push_back({truth * first, first, information});
+  p.circlePairs.push_back({truth * second, second, information});
+  Pose2 estimate = near(truth);
+  EXPECT_TRUE(solveByGaussNewton(p, kManySteps, estimate).converged);
+  EXPECT_TRUE(isNearly(estimate, truth, 1e-6, 1e-6));
 }
 
 TEST(JointSolver, WithoutTermsThePoseStays)

@@ -146,6 +146,35 @@ TEST(LinePairing, SingleRaysPairInBothDirections)
   for (const RayTerm& term : problem.rays) EXPECT_NEAR(residual(term, scene.T_ref_cur).e, 0, 1e-6);
 }
 
+//     O          a pillar before a wall: in the last association it is one pair, and its rays,
+//     singles
+//  -------       until then, take no further part
+TEST(LinePairing, CirclesTakeTheRaysOfThePillarsTheyStandFor)
+{
+  std::vector<Wall> walls = {{{4, -3}, {4, 3}}};
+  std::vector<Eigen::Vector2d> corners_m;
+  constexpr int kCorners = 60;
+  for (int i = 0; i < kCorners; ++i)
+  {
+    const double at_rad = 2 * kPi * i / kCorners;
+    corners_m.emplace_back(2.5 + 0.3 * std::cos(at_rad), 0.3 * std::sin(at_rad));
+  }
+  const std::vector<Wall> pillar = outline(corners_m);
+  walls.insert(walls.end(), pillar.begin(), pillar.end());
+  const Scene scene(walls, {0.1, 0.1, 0.05}, BeamGrid::centered(kPi, 181));
+
+  JointProblem before, last;
+  PairingGates gates = kGates;
+  pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, before);
+  gates.fine = true;
+  pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, last);
+  EXPECT_TRUE(before.circlePairs.empty());
+  EXPECT_GT(before.rays.size(), 20U);
+  ASSERT_EQ(last.circlePairs.size(), 1U);
+  EXPECT_LT(residual(last.circlePairs[0], scene.T_ref_cur).e.norm(), 0.005);
+  EXPECT_LT(last.rays.size(), 5U);
+}
+
 // Between a start and the truth a single ray may be off by the slack; walls are known well enough
 // to be compared without it.
 TEST(LinePairing, TheSlackOfAStartWidensSingleRays)

@@ -44,11 +44,12 @@ class ShortLinesTest : public testing::Test
   std::vector<Segment> found() const
   {
     std::vector<Segment> lines(1);  // what was there goes
-    findShortLines(scan_, lines);
+    findShortLines(scan_, circleOfRay_, lines);
     return lines;
   }
 
   SegmentedScan scan_;
+  std::vector<int> circleOfRay_ = std::vector<int>(181, -1);
 };
 }  // namespace
 
@@ -126,6 +127,14 @@ TEST_F(ShortLinesTest, raysOfSegmentsAreLeftAlone)
   see(kFarWall, 86, 92);
   scan_.segments.resize(1);
   for (std::size_t ray = 86; ray <= 89; ++ray) scan_.segmentOfRay[ray] = 0;
+  ASSERT_EQ(found().size(), 1U);
+  EXPECT_EQ(found()[0].firstRay, 90);
+}
+
+TEST_F(ShortLinesTest, raysOfCirclesAreLeftAlone)
+{
+  see(kFarWall, 86, 92);
+  for (std::size_t ray = 86; ray <= 89; ++ray) circleOfRay_[ray] = 0;
   ASSERT_EQ(found().size(), 1U);
   EXPECT_EQ(found()[0].firstRay, 90);
 }

@@ -1,0 +1,69 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/CirclePairing.h>
+
+#include <Eigen/LU>
+
+namespace psmks
+{
+namespace
+{
+/** Centres may be off by more than the gate where the radii are, too. */
+constexpr double kReach_m = 0.5;
+
+/** Index of the circle whose centre is nearest to a place and within reach, or -1. */
+int nearestCircle(const std::vector<Circle>& circles, const Eigen::Vector2d& place_m)
+{
+  int nearest = -1;
+  double best_m2 = kReach_m * kReach_m;
+  for (std::size_t i = 0; i < circles.size(); ++i)
+  {
+    const double distance2_m2 = (circles[i].centre_m - place_m).squaredNorm();
+    if (distance2_m2 >= best_m2) continue;
+    best_m2 = distance2_m2;
+    nearest = static_cast<int>(i);
+  }
+  return nearest;
+}
+
+/** Both centres are compared under the condition that the radii are one: the errors of centre and
+ * radius go together, so a difference of the radii tells one of the centres.
+ *  @return false where the radii differ or the centres then stand beyond the gate */
+bool compare(const Circle& ref, const Circle& cur, const Pose2& T_ref_cur, double gate_m,
+             CirclePairTerm& pair)
+{
+  constexpr double kSameRadius = 3;  // standard deviations
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() = T_ref_cur.rotation();
+  const Eigen::Matrix3d sum = ref.covariance + turn * cur.covariance * turn.transpose();
+  const double differs_m = cur.radius_m - ref.radius_m;
+  if (differs_m * differs_m > kSameRadius * kSameRadius * sum(2, 2)) return false;
+
+  const Eigen::Vector2d perRadius = sum.topRightCorner<2, 1>() / sum(2, 2);
+  const Eigen::Matrix2d covariance =
+      sum.topLeftCorner<2, 2>() - perRadius * sum.bottomLeftCorner<1, 2>();
+  pair = {ref.centre_m + perRadius * differs_m, cur.centre_m, covariance.inverse()};
+  return (T_ref_cur * pair.curCentre_m - pair.refCentre_m).norm() < gate_m;
+}
+}  // namespace
+
+PairedCircles pairCircles(const std::vector<Circle>& reference, const std::vector<Circle>& current,
+                          const Pose2& T_ref_cur, double gate_m, std::vector<CirclePairTerm>& pairs)
+{
+  PairedCircles paired;
+  const Pose2 T_cur_ref = T_ref_cur.inverse();
+  for (std::size_t c = 0; c < current.size(); ++c)
+  {
+    const int nearest = nearestCircle(reference, T_ref_cur * current[c].centre_m);
+    if (nearest < 0) continue;
+    const auto r = static_cast<std::size_t>(nearest);
+    const int back = nearestCircle(current, T_cur_ref * reference[r].centre_m);
+    CirclePairTerm pair;
+    if (back != static_cast<int>(c)) continue;
+    if (!compare(reference[r], current[c], T_ref_cur, gate_m, pair)) continue;
+    pairs.push_back(pair);
+    paired.reference[r] = paired.current[c] = true;
+    paired.rays += current[c].lastRay - current[c].firstRay + 1;
+  }
+  return paired;
+}
+}  // namespace psmks

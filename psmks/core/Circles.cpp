@@ -1,0 +1,204 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Circles.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+constexpr int kFewestRays = 4;
+constexpr double kLargestStep_m = 0.3;  //!< of range, between neighbouring rays of one thing
+constexpr double kShortWall_m = 0.8;    //!< a segment shorter than this may be part of an arc
+constexpr double kSmallest_m = 0.02, kLargest_m = 1.5;  //!< radius
+constexpr double kBent = 9;             //!< chi2 by which a bend must be better than none
+constexpr double kMisfit = 3;           //!< standard deviations of chi2 above its mean
+constexpr double kRadiusSigma_m = 0.1;  //!< a circle less known is not linear in its errors
+
+struct Fit
+{
+  Eigen::Vector2d centre_m;
+  double radius_m;
+  Eigen::Matrix3d information;  //!< of (centre, radius)
+  Eigen::Vector3d gradient;     //!< information * gradient is the step to the minimum
+  double chi2;
+};
+
+/** Sums of the regression x = f + a y + k q over the rays of a run, by which a curve is begun. */
+class BendSums
+{
+ public:
+  void add(double x, double y)
+  {
+    const double q = (x * x + y * y) / 2;
+    n_ += 1, y_ += y, q_ += q, x_ += x;
+    yy_ += y * y, yq_ += y * q, qq_ += q * q, xy_ += x * y, xq_ += x * q;
+  }
+
+  /** False where the bend is not worth `chi2_m2` of squared residuals, or the wrong way. */
+  bool solve(double chi2_m2, double& f, double& a, double& k) const
+  {
+    const double yy = yy_ - y_ * y_ / n_, yq = yq_ - y_ * q_ / n_, qq = qq_ - q_ * q_ / n_;
+    const double xy = xy_ - x_ * y_ / n_, xq = xq_ - x_ * q_ / n_;
+    const double slope = yq / yy, free = qq - slope * yq, bend = xq - slope * xy;
+    if (!(free > 0) || !(bend > 0) || bend * bend < chi2_m2 * free) return false;
+    k = bend / free;
+    a = (xy - k * yq) / yy;
+    f = (x_ - a * y_ - k * q_) / n_;
+    return true;
+  }
+
+ private:
+  double n_ = 0, y_ = 0, q_ = 0, x_ = 0, yy_ = 0, yq_ = 0, qq_ = 0, xy_ = 0, xq_ = 0;
+};
+
+class CircleFinder
+{
+ public:
+  CircleFinder(const SegmentedScan& scan, std::vector<Circle>& circles,
+               std::vector<int>& circleOfRay)
+      : scan_(scan),
+        circles_(circles),
+        circleOfRay_(circleOfRay),
+        variance_m2_(scan.rangeSigma_m * scan.rangeSigma_m)
+  {
+  }
+
+  void run()
+  {
+    for (int first = 0; first < scan_.rays() && circles_.size() < kMostCircles;)
+    {
+      int end = first;
+      while (end < scan_.rays() && mayBeRound(end) && (end == first || isJoined(end))) ++end;
+      if (end - first >= kFewestRays && !isOneSegment(first, end - 1)) tryRun(first, end - 1);
+      first = std::max(end, first + 1);
+    }
+  }
+
+ private:
+  double range_m(int ray) const { return scan_.range_m[static_cast<std::size_t>(ray)]; }
+
+  /** No ray on a long straight wall. An arc near by passes for a row of short ones. */
+  bool mayBeRound(int ray) const
+  {
+    if (!scan_.isValid(ray)) return false;
+    const Segment* segment = scan_.segmentAt(ray);
+    return !segment ||
+           (segment->lastEnd_m - segment->firstEnd_m).squaredNorm() < kShortWall_m * kShortWall_m;
+  }
+
+  bool isJoined(int ray) const
+  {
+    return std::abs(range_m(ray) - range_m(ray - 1)) < kLargestStep_m;
+  }
+
+  bool isOneSegment(int first, int last) const
+  {
+    const Segment* segment = scan_.segmentAt(first);
+    return segment && segment->firstRay == first && segment->lastRay == last;
+  }
+
+  void tryRun(int first, int last)
+  {
+    constexpr int kSteps = 2;
+    Fit fit;
+    if (!start(first, last, fit)) return;
+    for (int k = 0; k < kSteps; ++k)
+      if (!step(first, last, fit)) return;
+    if (fits(fit, last - first + 1)) keep(fit, first, last);
+  }
+
+  /** From the circle k/2 (x2 + y2) + a y - x + f = 0, with x along the middle ray. Its gradient has
+   * the same length all round, so that the residuals count alike.
+   *  @return false where the run is straight or hollow */
+  bool start(int first, int last, Fit& fit) const
+  {
+    const int middle = (first + last) / 2;
+    const Eigen::Vector2d ahead = scan_.grid.direction(middle), left(-ahead.y(), ahead.x());
+    BendSums sums;
+    for (int ray = first; ray <= last; ++ray)
+    {
+      const Eigen::Vector2d p_m = scan_.point_m(ray);
+      sums.add(ahead.dot(p_m) - range_m(middle), left.dot(p_m));
+    }
+    double f, a, k;
+    if (!sums.solve(kBent * variance_m2_, f, a, k)) return false;
+    const double radius2_m2 = (1 + a * a) / (k * k) - 2 * f / k;
+    if (!(radius2_m2 > 0) || k < 1 / (2 * kLargest_m)) return false;
+    fit.radius_m = std::clamp(std::sqrt(radius2_m2), kSmallest_m, kLargest_m);
+    fit.centre_m = (range_m(middle) + 1 / k) * ahead - a / k * left;
+    return true;
+  }
+
+  /** One Gauss-Newton step.
+   *  @return false where it leads out of what is round */
+  bool step(int first, int last, Fit& fit) const
+  {
+    linearise(first, last, fit);
+    const Eigen::Vector3d by = fit.information.inverse() * fit.gradient;
+    fit.centre_m += by.head<2>();
+    fit.radius_m += by[2];
+    fit.chi2 -= fit.gradient.dot(by);
+    return fit.radius_m > kSmallest_m && fit.radius_m < kLargest_m;
+  }
+
+  /** The residual of a ray is the distance of its end from the circle, the row of its derivatives
+   * (u, 1) with the outward normal u where the ray meets the circle, and the noise that of the
+   * range times the cosine of incidence. */
+  void linearise(int first, int last, Fit& fit) const
+  {
+    const double R = fit.radius_m;
+    // At grazing incidence the noise moves a point along the circle and off its bend.
+    constexpr double kGrazing = 0.01;
+    const double least = kGrazing + 0.75 * variance_m2_ / (R * R);
+    fit.information.setZero();
+    fit.gradient.setZero();
+    fit.chi2 = 0;
+    for (int ray = first; ray <= last; ++ray)
+    {
+      const Eigen::Vector2d e = scan_.grid.direction(ray), left(-e.y(), e.x());
+      const double sine = std::clamp(-left.dot(fit.centre_m) / R, -1.0, 1.0);
+      const double cosine2 = 1 - sine * sine;
+      const Eigen::Vector2d u = sine * left - std::sqrt(cosine2) * e;
+      const Eigen::Vector3d row(u.x(), u.y(), 1);
+      const double residual_m = (scan_.point_m(ray) - fit.centre_m).norm() - R;
+      const Eigen::Vector3d weighted = row / (variance_m2_ * (cosine2 + least));
+      fit.information += weighted * row.transpose();
+      fit.gradient += residual_m * weighted;
+      fit.chi2 += residual_m * residual_m * weighted[2];
+    }
+  }
+
+  static bool fits(const Fit& fit, int rays)
+  {
+    const double freedom = rays - 3;
+    return fit.chi2 < freedom + kMisfit * std::sqrt(2 * freedom);
+  }
+
+  void keep(const Fit& fit, int first, int last)
+  {
+    const Eigen::Matrix3d covariance = fit.information.inverse();
+    const double radiusVariance_m2 = covariance(2, 2);
+    if (!(radiusVariance_m2 > 0 && radiusVariance_m2 < kRadiusSigma_m * kRadiusSigma_m)) return;
+    const auto begin = circleOfRay_.begin();
+    std::fill(begin + first, begin + last + 1, static_cast<int>(circles_.size()));
+    circles_.push_back({fit.centre_m, fit.radius_m, covariance, first, last});
+  }
+
+  const SegmentedScan& scan_;
+  std::vector<Circle>& circles_;
+  std::vector<int>& circleOfRay_;
+  double variance_m2_;
+};
+}  // namespace
+
+void findCircles(const SegmentedScan& scan, std::vector<Circle>& circles,
+                 std::vector<int>& circleOfRay)
+{
+  circles.clear();
+  circleOfRay.assign(static_cast<std::size_t>(scan.rays()), -1);
+  CircleFinder(scan, circles, circleOfRay).run();
+}
+}  // namespace psmks
