@@ -4,6 +4,7 @@
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Scenes.h>
 
+#include <limits>
 #include <map>
 
 namespace psmks
@@ -139,6 +140,185 @@ TEST_F(TrajectoryBuilderTest, withoutOdometryTheLastMotionIsAssumedAgain)
   const auto scans = build(4, {{3, Oracle::kAlways}}, {}, false);
   EXPECT_TRUE(isNearly(scans[3].T_world_robot.pose, truth(3), 1e-9, 1e-9));
   EXPECT_GT(scans[3].T_world_robot.covariance(0, 0), 0.05);
+}
+
+// ---- map ---------------------------------------------------------------------------------------
+
+/** An oracle whose answers are all a little off, to the same side: what is matched scan by scan
+ * drifts away. */
+class BiasedOracle : public Oracle
+{
+ public:
+  /** From this distance on it is 40 cm off against the first scan, and sure of itself. */
+  double liesFrom_m = std::numeric_limits<double>::infinity();
+
+  MatchResult match(const Scan& reference, const Scan& current, const Guess& guess) override
+  {
+    MatchResult result = Oracle::match(reference, current, guess);
+    result.T_ref_cur = result.T_ref_cur * Pose2{0.001, 0, degToRad(0.02)};
+    result.covariance = Eigen::Vector3d(1e-5, 1e-5, 1e-6).asDiagonal();
+    if (reference.stamp_s == 0 && result.T_ref_cur.translation().norm() > liesFrom_m)
+      result.T_ref_cur.x_m += 0.4;
+    return result;
+  }
+};
+
+/** Once around a block, back to the start and a little on.
+ *
+ *     +-------------------+ 14 m
+ *     |  <-------------   |
+ *     |  |  +-------+  ^  |
+ *     |  |  |       |  |  |
+ *     |  v  +-------+  |  |
+ *     |  o------------>   |     o = (1.5, 1.5)
+ *     +-------------------+ 0                                                               */
+class MapLoop : public testing::Test
+{
+ protected:
+  static constexpr double kSide_m = 11, kStep_m = 0.5, kBend_rad = degToRad(18);
+
+  MapLoop()
+  {
+    walls_ = box({7, 7}, 14, 14);
+    for (const Wall& wall : box({7, 7}, 8, 8)) walls_.push_back(wall);
+    Pose2 pose{1.5, 1.5, 0};
+    for (int side = 0; side < 4; ++side)
+    {
+      for (double way_m = 0; way_m < kSide_m; way_m += kStep_m) go(pose, {kStep_m, 0, 0});
+      for (double turned_rad = 0; turned_rad < kPi / 2; turned_rad += kBend_rad)
+        go(pose, {0, 0, kBend_rad});
+    }
+    for (int step = 0; step < 4; ++step) go(pose, {kStep_m, 0, 0});
+  }
+
+  void go(Pose2& pose, const Pose2& step)
+  {
+    truth_.push_back(pose);
+    pose = pose * step;
+  }
+
+  TrajectoryBuilder driven(ReferenceChoice choice, int links = ReferenceOptions().mapLinks,
+                           const BiasedOracle& tellsOf = {}) const
+  {
+    auto oracle = std::make_unique<BiasedOracle>(tellsOf);
+    for (std::size_t i = 0; i < truth_.size(); ++i)
+      oracle->T_world_sensor[static_cast<double>(i)] = truth_[i];
+    ReferenceOptions options;
+    options.choice = choice;
+    options.mapLinks = links;
+    TrajectoryBuilder builder(std::move(oracle), options, OdometryOptions());
+    for (std::size_t i = 0; i < truth_.size(); ++i)
+    {
+      Scan scan = castScan(walls_, truth_[i], BeamGrid::centered(2 * kPi, 360));
+      scan.stamp_s = static_cast<double>(i);
+      builder.add(scan, {},
+                  i > 0 ? std::optional(truth_[i - 1].inverse() * truth_[i]) : std::nullopt);
+    }
+    return builder;
+  }
+
+  double error_m(const PosedScan& scan) const
+  {
+    const Pose2& truth = truth_[static_cast<std::size_t>(scan.stamp_s())];
+    return ((truth_[0] * scan.T_world_robot.pose).translation() - truth.translation()).norm();
+  }
+
+  /** Mean over the scans that no reference is made of. */
+  double meanErrorBetweenReferences_m(const TrajectoryBuilder& builder) const
+  {
+    double sum_m = 0;
+    int scans = 0;
+    for (const PosedScan& scan : builder.scans())
+    {
+      if (scan.isReference) continue;
+      sum_m += error_m(scan);
+      ++scans;
+    }
+    return sum_m / scans;
+  }
+
+  std::vector<Wall> walls_;
+  std::vector<Pose2> truth_;
+};
+
+TEST_F(MapLoop, backAtTheStartTheErrorIsThatOfTheStart)
+{
+  const TrajectoryBuilder sequential = driven(ReferenceChoice::Sequential);
+  const TrajectoryBuilder map = driven(ReferenceChoice::Map);
+  EXPECT_GT(error_m(sequential.scans().back()), 0.1);
+  EXPECT_LT(error_m(map.scans().back()), 0.02);
+  const std::size_t reference = map.scans().back().matches.back().reference;
+  EXPECT_LT(truth_[reference].x_m, 6) << "a scan of the first metres";
+  EXPECT_LT(reference, 12U);
+}
+
+TEST_F(MapLoop, itIsClosedByLinksToEarlierKeyframes)
+{
+  const TrajectoryBuilder map = driven(ReferenceChoice::Map);
+  const auto& scans = map.scans();
+  bool closed = false;
+  for (std::size_t s = 0; s < scans.size(); ++s)
+  {
+    EXPECT_LE(scans[s].links.size(), static_cast<std::size_t>(ReferenceOptions().mapLinks));
+    EXPECT_TRUE(scans[s].isReference || scans[s].links.empty());
+    for (const ReferenceMatch& link : scans[s].links)
+    {
+      EXPECT_LT(link.reference, s);
+      EXPECT_TRUE(scans[link.reference].isReference);
+      closed = closed || (link.reference < 12 && s > truth_.size() / 2);
+    }
+  }
+  EXPECT_TRUE(closed) << "no late keyframe is tied to an early one";
+  EXPECT_TRUE(scans.front().links.empty());
+
+  const TrajectoryBuilder untied = driven(ReferenceChoice::Map, 0);
+  for (const PosedScan& scan : untied.scans()) EXPECT_TRUE(scan.links.empty());
+}
+
+TEST_F(MapLoop, aMatchThatNeitherTheMapNorAnotherMatchConfirmsTiesNothing)
+{
+  BiasedOracle liar;
+  liar.liesFrom_m = 1.5;
+  const TrajectoryBuilder map = driven(ReferenceChoice::Map, ReferenceOptions().mapLinks, liar);
+  for (const PosedScan& scan : map.scans())
+    for (const ReferenceMatch& link : scan.links)
+    {
+      const Pose2& current = truth_[static_cast<std::size_t>(scan.stamp_s())];
+      EXPECT_TRUE(isNearly(link.T_ref_cur.pose, truth_[link.reference].inverse() * current, 0.01,
+                           degToRad(0.1)));
+    }
+  EXPECT_LT(error_m(map.scans().back()), 0.02);
+}
+
+TEST_F(MapLoop, aKeyframeJoinsWhereNoneIsNear)
+{
+  const TrajectoryBuilder map = driven(ReferenceChoice::Map);
+  int keyframes = 0;
+  for (const PosedScan& scan : map.scans()) keyframes += scan.isReference ? 1 : 0;
+  // 44 m and 4 corners of 90 degrees, a metre or 30 degrees apart
+  EXPECT_GT(keyframes, 40);
+  EXPECT_LT(keyframes, 70);
+}
+
+TEST_F(MapLoop, settleMovesEarlierScansWithTheirReferences)
+{
+  TrajectoryBuilder map = driven(ReferenceChoice::Map);
+  const double before_m = meanErrorBetweenReferences_m(map);
+  map.settle();
+  EXPECT_LT(meanErrorBetweenReferences_m(map), 0.8 * before_m);
+  for (const PosedScan& scan : map.scans())
+  {
+    if (scan.isReference) continue;
+    const Pose2& anchor = map.scans()[scan.anchor].T_world_robot.pose;
+    EXPECT_TRUE(isNearly(scan.T_world_robot.pose, anchor * scan.T_anchor_robot, 1e-12, 1e-12));
+  }
+
+  TrajectoryBuilder sequential = driven(ReferenceChoice::Sequential);
+  const auto scans = sequential.scans();
+  sequential.settle();
+  for (std::size_t s = 0; s < scans.size(); ++s)
+    EXPECT_TRUE(isNearly(sequential.scans()[s].T_world_robot.pose, scans[s].T_world_robot.pose,
+                         1e-12, 1e-12));
 }
 }  // namespace
 }  // namespace psmks
