@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 #include <sstream>
 
 namespace psmks
@@ -195,6 +197,93 @@ TEST_F(PsmksBenchmark, SegmentationIsTheSameForTheSameSeed)
   EXPECT_EQ(figures("--seed 3"), figures("--seed 3"));
   EXPECT_NE(figures("--seed 3"), figures("--seed 4"));
   EXPECT_EQ(lines(figures("--filter linear")).size(), 1U + 2);
+}
+
+// ---- experiments -------------------------------------------------------------------------------
+
+/** Files under a folder, by their paths from there. */
+std::set<std::string> filesIn(const std::string& folder)
+{
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files.insert(std::filesystem::relative(entry.path(), folder).string());
+  return files;
+}
+
+/** What the pictures of a Markdown text link to. */
+std::vector<std::string> pictureLinks(const std::string& markdown)
+{
+  const std::regex picture(R"(!\[[^\]]*\]\(([^)]+)\))");
+  std::vector<std::string> links;
+  for (std::sregex_iterator i(markdown.begin(), markdown.end(), picture), none; i != none; ++i)
+    links.push_back((*i)[1].str());
+  return links;
+}
+
+TEST_F(PsmksBenchmark, ExperimentsWriteAReportWithItsTablesAndPictures)
+{
+  const ProgramRun run = runProgram(
+      kProgram +
+      "experiments --quick --minutes 0.2 --worlds room --methods paper,joint-map --output " +
+      path("report"));
+  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  const std::string report = fileText(path("report/experiments.md"));
+  int tables = 0;
+  for (const auto& line : lines(report)) tables += line.rfind("|--", 0) == 0 ? 1 : 0;
+  EXPECT_EQ(tables, 5) << report;
+  for (const char* method : {"| paper |", "| joint map |"})
+    EXPECT_NE(report.find(method), std::string::npos) << method << " in " << report;
+  EXPECT_EQ(report.find("| MRPT ICP |"), std::string::npos);
+
+  const bool drawn = runProgram("gnuplot --version").exitCode == 0;
+  const auto links = pictureLinks(report);
+  EXPECT_EQ(links.size(), drawn ? 3U : 0U);  // paths, maps, orientation search
+  for (const auto& link : links)
+    EXPECT_GT(std::filesystem::file_size(path("report/" + link)), 1000U) << link;
+}
+
+TEST_F(PsmksBenchmark, ExperimentsInAHurryWriteNoFile)
+{
+  const auto before = filesIn(folder_);
+  const ProgramRun run =
+      runProgram("cd '" + folder_ + "' && " + kProgram +
+                 "experiments --quick --minutes 0.1 --worlds room,office --methods joint-keyframe");
+  EXPECT_EQ(run.exitCode, 0) << run.errors;
+  EXPECT_EQ(filesIn(folder_), before);
+  for (const char* world : {"room", "office"})
+    EXPECT_NE(run.output.find(world), std::string::npos) << run.output;
+}
+
+TEST_F(PsmksBenchmark, ExperimentsAreTheSameForTheSameSeed)
+{
+  const auto table = [this](const std::string& flags)
+  {
+    const ProgramRun run =
+        runProgram(kProgram +
+                   "experiments --quick --minutes 0.1 --worlds clutter --methods joint-map "
+                   "--csv " +
+                   path("e.csv") + " " + flags);
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    return fileText(path("e.csv"));
+  };
+  EXPECT_EQ(table("--first-seed 3"), table("--first-seed 3"));
+  EXPECT_NE(table("--first-seed 3"), table("--first-seed 4"));
+}
+
+TEST_F(PsmksBenchmark, ExperimentsWithAnUnknownWordAreAUsageError)
+{
+  const auto expectUsageError = [](const std::string& flags, const std::string& word)
+  {
+    const ProgramRun run = runProgram(kProgram + "experiments --quick " + flags);
+    EXPECT_EQ(run.exitCode, 1) << flags;
+    EXPECT_NE(run.errors.find(word), std::string::npos) << run.errors;
+  };
+  expectUsageError("--worlds moon", "moon");
+  expectUsageError("--methods guessing", "guessing");
+  expectUsageError("--ranges_m -1", "--ranges_m");
+  expectUsageError("--seeds 0", "--seeds");
+  expectUsageError("--set joint.nothing=1", "'nothing'");
 }
 
 TEST_F(PsmksBenchmark, HelpEndsWell)

@@ -187,6 +187,28 @@ TEST_F(PsmksSlam, everyMatcherRuns)
   }
 }
 
+TEST_F(PsmksSlam, everyChoiceOfReferenceFollowsTheTruePath)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  for (const char* choice : {"sequential", "keyframe", "map"})
+  {
+    const ProgramRun run = slam("room.rawlog", std::string("--reference ") + choice);
+    ASSERT_EQ(run.exitCode, 0) << choice << ": " << run.errors;
+    EXPECT_EQ(summary()["options"]["reference"]["choice"], choice);
+    expectTruePath(2e-3, degToRad(0.05));
+  }
+}
+
+TEST_F(PsmksSlam, aMapHasAKeyframeForEverySpacing)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  slam("room.rawlog", "--reference map");
+  EXPECT_EQ(summary()["references"], 2);  // 35 degrees on the way, 30 apart
+  slam("room.rawlog", "--reference map --set reference.map_spacing_m=0.15");
+  EXPECT_GT(summary()["references"], 3);
+  expectTruePath(2e-3, degToRad(0.05));
+}
+
 TEST_F(PsmksSlam, scansWithoutAnyOdometryAreMatchedFromTheLastMotion)
 {
   Entries entries;
