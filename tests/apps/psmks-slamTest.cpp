@@ -312,7 +312,7 @@ TEST_F(PsmksSlam, wrongCommandLinesEndWithOneSentence)
       {"", "LOG"},
       {"room.rawlog --no-such-flag", "--no-such-flag"},
       {"room.rawlog --matcher csm", "csm"},
-      {"room.rawlog --reference map", "map"},
+      {"room.rawlog --reference newest", "newest"},
       {"room.rawlog --set segmentation.min_rays=abc", "min_rays"},
       {"room.rawlog --set reference.max_failures=0", "max_failures"},
       {"room.rawlog --set nonsense", "nonsense"},
