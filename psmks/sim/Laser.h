@@ -21,7 +21,7 @@ struct LaserOptions
   double dropOutShare = 0;        //!< share of the returns that are lost, 0 to 1
   double beamDivergence_rad = 0;  //!< full width of a beam: it returns the mean range of all that
                                   //!< it lights, at an edge a mixed pixel in the air; 0 = thin
-  double sweepDuration_s = 0;  //!< from the first to the last ray, each from its own pose
+  double sweepDuration_s = 0;     //!< from the first to the last ray, each from its own pose
 };
 
 /** A scan of which the truth is known. */
