@@ -18,7 +18,7 @@ enum class ReferenceChoice
 
 struct ReferenceOptions
 {
-  ReferenceChoice choice = ReferenceChoice::Sequential;
+  ReferenceChoice choice = ReferenceChoice::Map;
   bool matchEveryScan = true;              //!< false: only scans a trigger away (paper)
   double triggerDistance_m = 0.80;         //!< sequential, and the least of keyframe
   double triggerAngle_rad = degToRad(20);  //!< sequential, and the least of keyframe

@@ -100,7 +100,7 @@ TEST_F(PsmksSlam, writesAllItsFilesAndASummary)
 TEST_F(PsmksSlam, theSimplemapIsReadByMrptWithTheKeyframesOfTheRun)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
-  slam("room.rawlog", "--set reference.trigger_distance_m=0.15");
+  slam("room.rawlog", "--set reference.map_spacing_m=0.15");
   mrpt::maps::CSimpleMap map;
   ASSERT_TRUE(map.loadFromFile(path("out/map.simplemap")));
   EXPECT_GT(map.size(), 2u);

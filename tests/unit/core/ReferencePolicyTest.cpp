@@ -21,7 +21,9 @@ const Pose2 kNear{0.1, 0, 0}, kFar{0.9, 0, 0}, kTurned{0, 0, degToRad(-25)};
 
 TEST(ReferencePolicy, sequentialReplacesTheReferenceOnceMovedOrTurnedFarEnough)
 {
-  const ReferencePolicy policy{ReferenceOptions()};
+  ReferenceOptions options;
+  options.choice = ReferenceChoice::Sequential;
+  const ReferencePolicy policy(options);
   EXPECT_FALSE(policy.isReplaced(kGood, kNear, 0));
   EXPECT_TRUE(policy.isReplaced(kGood, kFar, 0));
   EXPECT_TRUE(policy.isReplaced(kGood, kTurned, 0));
@@ -71,7 +73,12 @@ ReferencePolicy mapPolicy()
 TEST(ReferencePolicy, onlyOneOfTheChoicesIsAMap)
 {
   EXPECT_TRUE(mapPolicy().usesMap());
-  EXPECT_FALSE(ReferencePolicy(ReferenceOptions()).usesMap());
+  for (const auto choice : {ReferenceChoice::Sequential, ReferenceChoice::Keyframe})
+  {
+    ReferenceOptions options;
+    options.choice = choice;
+    EXPECT_FALSE(ReferencePolicy(options).usesMap());
+  }
 }
 
 TEST(ReferencePolicy, aKeyframeIsACandidateWithinPlaceAndHeading)

@@ -40,6 +40,13 @@ class Oracle : public PairMatcher
   }
 };
 
+ReferenceOptions sequential()
+{
+  ReferenceOptions options;
+  options.choice = ReferenceChoice::Sequential;
+  return options;
+}
+
 /** A robot that drives 0.3 m a step and curves, with a scanner ahead and aside of its centre. */
 class TrajectoryBuilderTest : public testing::Test
 {
@@ -56,7 +63,8 @@ class TrajectoryBuilderTest : public testing::Test
 
   /** Scans 0 to count - 1, with the stamps 0, 1, ... */
   std::vector<PosedScan> build(int count, const std::map<double, double>& fails,
-                               const ReferenceOptions& options = {}, bool odometry = true) const
+                               const ReferenceOptions& options = sequential(),
+                               bool odometry = true) const
   {
     auto oracle = std::make_unique<Oracle>();
     for (int i = 0; i < count; ++i) oracle->T_world_sensor[i] = truth(i) * T_robot_sensor_;
@@ -94,7 +102,7 @@ TEST_F(TrajectoryBuilderTest, theReferenceIsReplacedAtTheTrigger)
 
 TEST_F(TrajectoryBuilderTest, thePaperPosesTheScansBetweenTriggersByOdometry)
 {
-  ReferenceOptions paper;
+  ReferenceOptions paper = sequential();
   paper.matchEveryScan = false;
   const auto scans = build(4, {}, paper);
   EXPECT_TRUE(scans[1].matches.empty());
@@ -120,7 +128,7 @@ TEST_F(TrajectoryBuilderTest, aScanThatFailsAgainstTheReferenceIsMatchedAgainstT
   EXPECT_TRUE(scans[1].isReference);
   EXPECT_TRUE(isNearly(scans[2].T_world_robot.pose, truth(2), 1e-9, 1e-9));
 
-  ReferenceOptions paper;
+  ReferenceOptions paper = sequential();
   paper.retryLastScan = false;
   EXPECT_EQ(build(4, {{2, 0}}, paper)[2].matches.size(), 1u);
 }
