@@ -23,8 +23,8 @@ scans and the same odometry. The paper does not state the range of its laser: 30
 - **paper**: the paper's scheme, matched whenever the robot has moved 0.8 m or turned 20 degrees, against
   the scan matched before.
 - **joint sequential**: our scheme on the very same pairs. **joint keyframe**: every scan, against a scan
-  that stays for as long as enough of it is seen. **joint map**: every scan, against the keyframe
-  around it whose pose is known best.
+  that stays for as long as enough of it is seen. **joint map**: every scan, against the
+  nearest of all keyframes, which are matched against each other.
 - **MRPT ICP**: `mrpt::slam::CICP`, default parameters, on the same pairs as the paper's scheme.
 - **floor**: the drift that is left when each of the method's pairs of scans is matched by maximum
   likelihood, knowing which ray met which object but not where the objects are, with the noise that the
@@ -36,8 +36,7 @@ scans and the same odometry. The paper does not state the range of its laser: 30
 )";
 
 const char* const kTrust =
-    R"(A silent error is a match that was accepted, without a direction flagged as
-not observable, and wrong by more than 10 cm or 2 degrees. A drive is won where the mean errors of
+    R"(A silent error is a match that was accepted, without a direction flagged as not observable, and wrong by more than 10 cm or 2 degrees. A drive is won where the mean errors of
 position and of heading are both the smaller ones. Ends on walls: segment ends of the map within 3 cm of
 a true wall.
 
