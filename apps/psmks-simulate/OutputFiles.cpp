@@ -1,9 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-simulate/OutputFiles.h>
-#include <apps/support/ExitCode.h>
+#include <apps/support/TextFile.h>
 
 #include <filesystem>
-#include <fstream>
 
 namespace psmks
 {
@@ -15,20 +14,6 @@ std::string stemOf(const std::string& rawlog)
   if (path.extension() != ".rawlog")
     throw ProgramError(kUsage, "'" + rawlog + "' does not end in .rawlog");
   return path.replace_extension().string();
-}
-
-void require(bool written, const std::string& path)
-{
-  if (!written) throw ProgramError(kUsage, "cannot write '" + path + "'");
-}
-
-template <class Write>
-void writeText(const std::string& path, Write write)
-{
-  std::ofstream file(path);
-  write(file);
-  file.close();
-  require(!file.fail(), path);
 }
 
 Trajectory truthOf(const Recording& recording)
@@ -47,7 +32,7 @@ OutputFiles::OutputFiles(const std::string& rawlog, bool overwrite,
   for (const auto& file : {this->rawlog(), tum(), groundTruth(), picture()})
     if (!overwrite && std::filesystem::exists(file))
       throw ProgramError(kUsage, "'" + file + "' exists, add --overwrite or name another");
-  require(writer_.open(this->rawlog()), this->rawlog());
+  requireWritten(writer_.open(this->rawlog()), this->rawlog());
 }
 
 void OutputFiles::write(const Recording& recording, double rangeSigma_m)
@@ -59,12 +44,12 @@ void OutputFiles::write(const Recording& recording, double rangeSigma_m)
     writer_.write(scan, recorded.T_start_odometry);
   }
   const Trajectory truth = truthOf(recording);
-  writeText(tum(), [&](auto& out) { writeTum(out, truth); });
-  writeText(groundTruth(), [&](auto& out) { writeMrptGroundTruth(out, truth); });
+  writeTextFile(tum(), [&](auto& out) { writeTum(out, truth); });
+  writeTextFile(groundTruth(), [&](auto& out) { writeMrptGroundTruth(out, truth); });
 }
 
 void OutputFiles::write(const WorldPicture& worldPicture) const
 {
-  require(saveWorldPicture(worldPicture, picture()), picture());
+  requireWritten(saveWorldPicture(worldPicture, picture()), picture());
 }
 }  // namespace psmks

@@ -10,16 +10,13 @@ namespace psmks
 {
 namespace
 {
-void run(const CommandLine& commandLine)
+ExitCode run(const CommandLine& commandLine)
 {
-  if (!commandLine.listWorlds) return simulateDrive(commandLine);
-  for (const auto& name : siteNames()) std::cout << name << '\n';
-}
-
-ExitCode complain(ExitCode code, const std::exception& error)
-{
-  std::cerr << "psmks-simulate: " << error.what() << '\n';
-  return code;
+  if (!commandLine.listWorlds)
+    simulateDrive(commandLine);
+  else
+    for (const auto& name : siteNames()) std::cout << name << '\n';
+  return kOk;
 }
 }  // namespace
 }  // namespace psmks
@@ -28,17 +25,5 @@ int main(int argc, char** argv)
 {
   const psmks::ParsedCommandLine parsed = psmks::parseCommandLine(argc, argv);
   if (!parsed.commandLine) return parsed.exitCode;
-  try
-  {
-    psmks::run(*parsed.commandLine);
-    return psmks::kOk;
-  }
-  catch (const psmks::ProgramError& error)
-  {
-    return psmks::complain(error.exitCode, error);
-  }
-  catch (const std::exception& error)
-  {
-    return psmks::complain(psmks::kUsage, error);
-  }
+  return psmks::exitCodeOf("psmks-simulate", [&parsed] { return psmks::run(*parsed.commandLine); });
 }

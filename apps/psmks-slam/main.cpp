@@ -45,12 +45,6 @@ ExitCode run(const CommandLine& commandLine)
   refuseCarmen(commandLine.log);
   return Slam(commandLine, options).run();
 }
-
-ExitCode complain(ExitCode code, const std::exception& error)
-{
-  std::cerr << "psmks-slam: " << error.what() << '\n';
-  return code;
-}
 }  // namespace
 }  // namespace psmks
 
@@ -58,16 +52,5 @@ int main(int argc, char** argv)
 {
   const psmks::ParsedCommandLine parsed = psmks::parseCommandLine(argc, argv);
   if (!parsed.commandLine) return parsed.exitCode;
-  try
-  {
-    return psmks::run(*parsed.commandLine);
-  }
-  catch (const psmks::ProgramError& error)
-  {
-    return psmks::complain(error.exitCode, error);
-  }
-  catch (const std::exception& error)
-  {
-    return psmks::complain(psmks::kUsage, error);
-  }
+  return psmks::exitCodeOf("psmks-slam", [&parsed] { return psmks::run(*parsed.commandLine); });
 }

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -27,4 +28,8 @@ class ProgramError : public std::runtime_error
 
   ExitCode exitCode;
 };
+
+/** Runs a program's work. What it throws becomes one sentence on stderr, and the exit code that it
+ * carries or kUsage. */
+ExitCode exitCodeOf(const std::string& program, const std::function<ExitCode()>& work);
 }  // namespace psmks
