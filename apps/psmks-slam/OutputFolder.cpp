@@ -5,7 +5,6 @@
 #include <psmks/mrpt/MapPicture.h>
 #include <psmks/mrpt/MapScene.h>
 
-
 namespace psmks
 {
 namespace
