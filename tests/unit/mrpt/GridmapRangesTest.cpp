@@ -7,6 +7,7 @@
 #include <psmks/mrpt/GridmapRanges.h>
 #include <tests/support/Says.h>
 #include <tests/support/ThrownText.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -147,7 +148,11 @@ class LoadGridmap : public testing::Test
 {
  protected:
   void TearDown() override { std::remove(path_.c_str()); }
-  void use(const std::string& name) { path_ = testing::TempDir() + name; }
+  // Tests run side by side, each as a process.
+  void use(const std::string& name)
+  {
+    path_ = testing::TempDir() + std::to_string(getpid()) + name;
+  }
 
   std::string loadError() const
   {

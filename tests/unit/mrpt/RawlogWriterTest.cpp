@@ -8,6 +8,7 @@
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Program.h>
 #include <tests/support/Scenes.h>
+#include <unistd.h>
 
 #include <cstdio>
 
@@ -70,7 +71,9 @@ class RawlogWriterTest : public testing::TestWithParam<RawlogFormat>
     return frames;
   }
 
-  const std::string path_ = testing::TempDir() + "RawlogWriterTest.rawlog";
+  // Tests run side by side, each as a process.
+  const std::string path_ =
+      testing::TempDir() + "RawlogWriterTest" + std::to_string(getpid()) + ".rawlog";
 };
 
 /** Wall points of a scan in the frame of the robot. */
