@@ -57,6 +57,29 @@ TEST(Overlap, AtTwoSidesOfAWallIsSmall)
   EXPECT_LT(shared, 0.4);
 }
 
+// Only the ray behind, between whose neighbours the seam of the grid lies, looks at what is shared.
+TEST(Overlap, ReachesAcrossTheSeamOfAClosedScan)
+{
+  Scan reference = officeScan({}, kAround);
+  const double behind_m = reference.range_m.front();
+  reference.range_m.front() = 0;
+  Scan current;
+  current.grid = BeamGrid(kPi - degToRad(0.4), degToRad(0.1), 1);
+  current.range_m = {behind_m};
+  EXPECT_EQ(overlap(reference, current, {}), 1);
+}
+
+TEST(Overlap, OfScansThatDoNotFitTheirGridIsNone)
+{
+  const Scan whole = officeScan({}, kForward);
+  Scan tooShort = whole, unflagged = whole;
+  tooShort.range_m.resize(10);
+  unflagged.valid = {0, 0, 0};
+  EXPECT_EQ(overlap(whole, tooShort, {}), 0);
+  EXPECT_EQ(overlap(tooShort, whole, {}), 0);
+  EXPECT_EQ(overlap(whole, unflagged, {}), 1);
+}
+
 TEST(Overlap, WithoutReturnsIsNone)
 {
   const Scan office = officeScan({}, kForward);
