@@ -1,0 +1,21 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/eval/PairBound.h>
+#include <psmks/eval/PairsFile.h>
+#include <psmks/eval/PairsSummary.h>
+
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** A set of scan pairs with what every matcher made of it. */
+struct PairsSetResult
+{
+  std::string title;
+  std::vector<ScanPair> pairs;
+  std::vector<PairBound> bounds;  //!< one per pair
+  std::vector<PairsRun> runs;     //!< one per matcher and guess; records one per pair, in order
+};
+}  // namespace psmks
