@@ -3,9 +3,22 @@
 #include <apps/psmks-benchmark/PairsCommand.h>
 #include <apps/psmks-benchmark/SegmentationCommand.h>
 #include <apps/support/ExitCode.h>
+#include <psmks/mrpt/PairMatcherRegistration.h>
 
 #include <CLI/CLI.hpp>
+#include <iomanip>
 #include <iostream>
+
+namespace
+{
+int listMatchers()
+{
+  constexpr int kNameWidth = 22;
+  for (const auto& matcher : psmks::pairMatcherEntries())
+    std::cout << std::left << std::setw(kNameWidth) << matcher.name << matcher.description << '\n';
+  return psmks::kOk;
+}
+}  // namespace
 
 int main(int argc, char** argv)
 {
@@ -17,6 +30,7 @@ int main(int argc, char** argv)
       app.add_subcommand("segmentation", "Kalman Segmentation on simulated scans");
   CLI::App* experimentsApp =
       app.add_subcommand("experiments", "the paper's experiments on simulated drives");
+  CLI::App* matchersApp = app.add_subcommand("matchers", "lists those that can be compared");
   psmks::PairsCommand pairs(*pairsApp);
   psmks::SegmentationCommand segmentation(*segmentationApp);
   psmks::ExperimentsCommand experiments(*experimentsApp);
@@ -25,6 +39,7 @@ int main(int argc, char** argv)
   {
     app.parse(argc, argv);
     if (pairsApp->parsed()) return pairs.run();
+    if (matchersApp->parsed()) return listMatchers();
     if (segmentationApp->parsed()) return segmentation.run();
     return experiments.run();
   }

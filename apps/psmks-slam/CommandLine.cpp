@@ -1,8 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/CommandLine.h>
 #include <apps/support/ExitCode.h>
+#include <psmks/mrpt/PairMatcher.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 namespace psmks
@@ -19,13 +21,21 @@ constexpr const char* kFooter =
     "Exit codes: 0 ok; 1 usage or configuration; 2 input missing or damaged (what was read before\n"
     "the damage is saved); 3 no usable scan or odometry; 4 every match failed.";
 
+/** Those of the registry, where to take the guess is to drive by odometry alone. */
+std::vector<std::string> matcherNames()
+{
+  std::vector<std::string> names = pairMatcherNames();
+  std::replace(names.begin(), names.end(), std::string("guess"), std::string("odometry"));
+  return names;
+}
+
 void addFlags(CLI::App& app, CommandLine& c)
 {
   app.add_option("LOG", c.log, "MRPT rawlog, compressed or not");
   app.add_option("-c,--config", c.config, "options, see --print-config")->type_name("INI");
   app.add_option("-m,--matcher", c.matcher, "who estimates the motion between two scans")
-      ->type_name("psmks|psmks-paper|icp-classic|icp-lm|odometry")
-      ->check(CLI::IsMember({"psmks", "psmks-paper", "icp-classic", "icp-lm", "odometry"}))
+      ->type_name("NAME")
+      ->check(CLI::IsMember(matcherNames()))
       ->capture_default_str();
   app.add_option("-r,--reference", c.reference, "the scan to match against")
       ->type_name("sequential|keyframe|map")

@@ -2,22 +2,75 @@
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/poses/CPosePDFGaussian.h>
+#include <mrpt/slam/CICP.h>
 #include <psmks/core/Preprocessing.h>
 #include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/IcpPairMatcher.h>
+#include <psmks/mrpt/PairMatcherRegistration.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace psmks
 {
+namespace
+{
 using mrpt::maps::CSimplePointsMap;
 using mrpt::obs::CObservation2DRangeScan;
 using mrpt::poses::CPosePDFGaussian;
+using mrpt::slam::CICP;
+using mrpt::slam::TICPAlgorithm;
 
-namespace
+/** Below this share of correspondences MRPT's map builder refuses a match. */
+constexpr double kAcceptedGoodness = 0.40;
+
+/** MRPT's ICP and the point maps that it gets. By default what MRPT gives who asks for nothing. */
+struct IcpSettings
 {
+  CICP::TConfigParams icp;
+  float referenceSpacing_m = CSimplePointsMap::TInsertionOptions().minDistBetweenLaserPoints;
+  float currentSpacing_m = referenceSpacing_m;
+};
+
+IcpSettings defaultSettings(TICPAlgorithm algorithm)
+{
+  IcpSettings settings;
+  settings.icp.ICP_algorithm = algorithm;
+  return settings;
+}
+
+/** As MRPT's icp-slam has it in the files that it comes with, icp-slam_demo_classic.ini and
+ * icp-slam_demo_LM.ini, where the map's points are 5 cm apart and those of the scan 2 cm. */
+IcpSettings icpSlamSettings(TICPAlgorithm algorithm)
+{
+  IcpSettings settings = defaultSettings(algorithm);
+  settings.referenceSpacing_m = 0.05F;
+  settings.icp.maxIterations = 80;
+  settings.icp.thresholdDist = 0.3;
+  settings.icp.thresholdAng = degToRad(5);
+  settings.icp.ALFA = 0.8;
+  settings.icp.smallestThresholdDist = 0.05;
+  settings.icp.onlyUniqueRobust = algorithm == mrpt::slam::icpClassic;
+  return settings;
+}
+
+/** For accuracy, whatever the time: every point, a wide gate at first and a narrow one in the end.
+ * The covariance is the cheap one. */
+IcpSettings tunedSettings(TICPAlgorithm algorithm)
+{
+  IcpSettings settings = defaultSettings(algorithm);
+  settings.referenceSpacing_m = settings.currentSpacing_m = 0;
+  settings.icp.corresponding_points_decimation = 1;
+  settings.icp.maxIterations = 100;
+  settings.icp.thresholdDist = 1.0;
+  settings.icp.thresholdAng = degToRad(3);
+  settings.icp.ALFA = 0.5;
+  settings.icp.smallestThresholdDist = 0.03;
+  settings.icp.ICP_covariance_method = mrpt::slam::icpCovLinealMSE;
+  return settings;
+}
+
 /** An observation whose middle bearing is its x axis, as MRPT's are; the mounting turns it back. */
 CObservation2DRangeScan toObservation(const SegmentedScan& scan)
 {
@@ -36,11 +89,12 @@ CObservation2DRangeScan toObservation(const SegmentedScan& scan)
   return observation;
 }
 
-CSimplePointsMap toPointsMap(const Scan& scan)
+CSimplePointsMap toPointsMap(const Scan& scan, float spacing_m)
 {
   SegmentedScan cleaned;
   cleanScan(scan, PreprocessingOptions(), cleaned);
   CSimplePointsMap map;
+  map.insertionOptions.minDistBetweenLaserPoints = spacing_m;
   if (cleaned.rays() > 1) map.loadFromRangeScan(toObservation(cleaned));
   return map;
 }
@@ -53,44 +107,93 @@ MatchResult failed(MatchStatus status, const Guess& guess)
   if (guess.covariance) result.covariance = *guess.covariance;
   return result;
 }
-}  // namespace
 
-IcpPairMatcher::IcpPairMatcher(std::string name, mrpt::slam::TICPAlgorithm algorithm)
-    : name_(std::move(name))
+/** mrpt::slam::CICP on two point maps, each made of a scan.
+ *
+ *  A match is a failure (NoImprovement) at kAcceptedGoodness and below. `score` is the share of
+ * correspondences, at most 1; times.segmentation_s is the time of making the maps. */
+class IcpPairMatcher : public PairMatcher
 {
-  icp_.options.ICP_algorithm = algorithm;
-}
-
-MatchResult IcpPairMatcher::match(const Scan& reference, const Scan& current, const Guess& guess)
-{
-  Stopwatch stopwatch;
-  const CSimplePointsMap referenceMap = toPointsMap(reference);
-  const CSimplePointsMap currentMap = toPointsMap(current);
-  const double maps_s = stopwatch.lap_s();
-  if (referenceMap.empty() || currentMap.empty() || !guess.T_ref_cur.isFinite())
-    return failed(MatchStatus::InvalidInput, guess);
-
-  mrpt::slam::CICP::TReturnInfo info;
-  const auto pdf =
-      icp_.AlignPDF(&referenceMap, &currentMap, CPosePDFGaussian(toMrpt(guess.T_ref_cur)), info);
-  CPosePDFGaussian estimate;
-  estimate.copyFrom(*pdf);
-
-  MatchResult result = failed(MatchStatus::NoImprovement, guess);
-  if (info.goodness > kAcceptedGoodness)
+ public:
+  IcpPairMatcher(std::string name, const IcpSettings& settings)
+      : name_(std::move(name)), settings_(settings), icp_(settings.icp)
   {
-    const bool stopped = info.nIterations < icp_.options.maxIterations;
-    result.status = stopped ? MatchStatus::Converged : MatchStatus::MaxIterations;
-    result.T_ref_cur = toPose2(estimate.mean);
-    if (!estimate.cov.asEigen().isZero()) result.covariance = estimate.cov.asEigen();
   }
-  result.score = std::min(1.0, info.goodness);
-  result.associations =
-      static_cast<int>(std::lround(info.goodness * static_cast<double>(currentMap.size()) /
-                                   icp_.options.corresponding_points_decimation));
-  result.iterations = static_cast<int>(info.nIterations);
-  result.times.segmentation_s = maps_s;
-  result.times.refinement_s = stopwatch.lap_s();
-  return result;
+
+  std::string name() const override { return name_; }
+
+  MatchResult match(const Scan& reference, const Scan& current, const Guess& guess) override
+  {
+    Stopwatch stopwatch;
+    const CSimplePointsMap referenceMap = toPointsMap(reference, settings_.referenceSpacing_m);
+    const CSimplePointsMap currentMap = toPointsMap(current, settings_.currentSpacing_m);
+    const double maps_s = stopwatch.lap_s();
+    if (referenceMap.empty() || currentMap.empty() || !guess.T_ref_cur.isFinite())
+      return failed(MatchStatus::InvalidInput, guess);
+
+    MatchResult result = align(referenceMap, currentMap, guess);
+    result.times.segmentation_s = maps_s;
+    result.times.refinement_s = stopwatch.lap_s();
+    return result;
+  }
+
+ private:
+  MatchResult align(const CSimplePointsMap& reference, const CSimplePointsMap& current,
+                    const Guess& guess)
+  {
+    CICP::TReturnInfo info;
+    CPosePDFGaussian estimate;
+    estimate.copyFrom(
+        *icp_.AlignPDF(&reference, &current, CPosePDFGaussian(toMrpt(guess.T_ref_cur)), info));
+
+    MatchResult result = failed(MatchStatus::NoImprovement, guess);
+    if (info.goodness > kAcceptedGoodness)
+    {
+      const bool stopped = info.nIterations < icp_.options.maxIterations;
+      result.status = stopped ? MatchStatus::Converged : MatchStatus::MaxIterations;
+      result.T_ref_cur = toPose2(estimate.mean);
+      if (!estimate.cov.asEigen().isZero()) result.covariance = estimate.cov.asEigen();
+    }
+    result.score = std::min(1.0, info.goodness);
+    result.associations = pairedPoints(info, current.size());
+    result.iterations = static_cast<int>(info.nIterations);
+    return result;
+  }
+
+  int pairedPoints(const CICP::TReturnInfo& info, std::size_t points) const
+  {
+    const double tried = static_cast<double>(points) / icp_.options.corresponding_points_decimation;
+    return static_cast<int>(std::lround(info.goodness * tried));
+  }
+
+  std::string name_;
+  IcpSettings settings_;
+  CICP icp_;
+};
+
+PairMatcherRegistration registration(const std::string& name, int place,
+                                     const std::string& description, const IcpSettings& settings)
+{
+  return PairMatcherRegistration({name, description, PairMatcherFamily::Icp, place,
+                                  [settings](const std::string& asked, const MatcherOptions&)
+                                  { return std::make_unique<IcpPairMatcher>(asked, settings); }});
 }
+
+using mrpt::slam::icpClassic;
+using mrpt::slam::icpLevenbergMarquardt;
+
+const std::array<PairMatcherRegistration, 6> kRegistrations{
+    registration("icp-classic", 0, "MRPT's ICP, its default parameters",
+                 defaultSettings(icpClassic)),
+    registration("icp-classic-icpslam", 1, "MRPT's ICP, the parameters of icp-slam",
+                 icpSlamSettings(icpClassic)),
+    registration("icp-classic-tuned", 2, "MRPT's ICP, tuned for accuracy",
+                 tunedSettings(icpClassic)),
+    registration("icp-lm", 3, "MRPT's ICP by Levenberg-Marquardt, its default parameters",
+                 defaultSettings(icpLevenbergMarquardt)),
+    registration("icp-lm-icpslam", 4, "MRPT's ICP by Levenberg-Marquardt, those of icp-slam",
+                 icpSlamSettings(icpLevenbergMarquardt)),
+    registration("icp-lm-tuned", 5, "MRPT's ICP by Levenberg-Marquardt, tuned for accuracy",
+                 tunedSettings(icpLevenbergMarquardt))};
+}  // namespace
 }  // namespace psmks

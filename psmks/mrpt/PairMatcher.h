@@ -39,16 +39,12 @@ class PairMatcher
   Scan reference_;
 };
 
-/** The names that makePairMatcher() knows. */
+/** The names that makePairMatcher() knows, in the order of listings. Each matcher registers itself
+ *  in its own file, see PairMatcherRegistration.h. */
 std::vector<std::string> pairMatcherNames();
 
-/** A matcher by its name:
- *
- *  - `psmks`: these options
- *  - `psmks-ceres`: these options, but Ceres as the solver; known where it was built
- *  - `psmks-paper`: these options, but the choices of the paper's scheme where they have the other
- *  - `icp-classic`, `icp-lm`: mrpt::slam::CICP with its default parameters
- *  - `guess`: no match at all, the guess is the answer
+/** A matcher by its name, among them `psmks`, these options, and `guess`, no match at all: the
+ * guess is the answer. `psmks-benchmark matchers` lists them all.
  *
  *  @throws OptionError naming the known ones for any other name, and where the options choose a
  * solver that was not built */

@@ -1,33 +1,92 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Matcher.h>
 #include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/BuiltSolvers.h>
-#include <psmks/mrpt/PsmksPairMatcher.h>
+#include <psmks/mrpt/PairMatcherRegistration.h>
 
 namespace psmks
 {
-PsmksPairMatcher::PsmksPairMatcher(std::string name, MatcherOptions options)
-    : name_(std::move(name)), matcher_(std::move(options), builtSolvers())
+namespace
 {
+/** psmks::Matcher with a workspace of its own. */
+class PsmksPairMatcher : public PairMatcher
+{
+ public:
+  /** @throws OptionError where the options choose a solver that was not built */
+  PsmksPairMatcher(std::string name, MatcherOptions options)
+      : name_(std::move(name)), matcher_(std::move(options), builtSolvers())
+  {
+  }
+
+  std::string name() const override { return name_; }
+
+  MatchResult match(const Scan& reference, const Scan& current, const Guess& guess) override
+  {
+    return matcher_.match(reference, current, guess, workspace_);
+  }
+
+  void setReference(const Scan& reference) override
+  {
+    matcher_.segment(reference, workspace_, reference_);
+  }
+
+  MatchResult matchToReference(const Scan& current, const Guess& guess) override
+  {
+    Stopwatch stopwatch;
+    matcher_.segment(current, workspace_, current_);
+    const double segmentation_s = stopwatch.lap_s();
+
+    MatchResult result = matcher_.match(reference_, current_, guess, workspace_);
+    result.times.segmentation_s += segmentation_s;
+    return result;
+  }
+
+ private:
+  std::string name_;
+  Matcher matcher_;
+  MatcherWorkspace workspace_;
+  SegmentedScan reference_, current_;
+};
+
+std::unique_ptr<PairMatcher> makePsmks(const std::string& name, MatcherOptions options)
+{
+  return std::make_unique<PsmksPairMatcher>(name, std::move(options));
 }
 
-MatchResult PsmksPairMatcher::match(const Scan& reference, const Scan& current, const Guess& guess)
+std::unique_ptr<PairMatcher> makePaper(const std::string& name, MatcherOptions options)
 {
-  return matcher_.match(reference, current, guess, workspace_);
+  if (options.scheme != Scheme::Paper) options.choosePaperScheme();
+  return makePsmks(name, std::move(options));
 }
 
-void PsmksPairMatcher::setReference(const Scan& reference)
+const PairMatcherRegistration kPsmks({"psmks", "PSM-KS, its options as they are",
+                                      PairMatcherFamily::Psmks, 0, makePsmks});
+const PairMatcherRegistration kPaper({"psmks-paper", "PSM-KS as in the paper",
+                                      PairMatcherFamily::Psmks, 2, makePaper});
+
+#ifdef PSMKS_WITH_CERES
+void chooseCeres(MatcherOptions& options)
 {
-  matcher_.segment(reference, workspace_, reference_);
+  options.joint.solver = JointSolver::Ceres;
+  options.paper.translationSolver = TranslationSolver::Ceres;
 }
 
-MatchResult PsmksPairMatcher::matchToReference(const Scan& current, const Guess& guess)
+std::unique_ptr<PairMatcher> makePsmksCeres(const std::string& name, MatcherOptions options)
 {
-  Stopwatch stopwatch;
-  matcher_.segment(current, workspace_, current_);
-  const double segmentation_s = stopwatch.lap_s();
-
-  MatchResult result = matcher_.match(reference_, current_, guess, workspace_);
-  result.times.segmentation_s += segmentation_s;
-  return result;
+  chooseCeres(options);
+  return makePsmks(name, std::move(options));
 }
+
+std::unique_ptr<PairMatcher> makePaperCeres(const std::string& name, MatcherOptions options)
+{
+  chooseCeres(options);
+  return makePaper(name, std::move(options));
+}
+
+const PairMatcherRegistration kCeres({"psmks-ceres", "psmks, solved by Ceres",
+                                      PairMatcherFamily::Psmks, 1, makePsmksCeres});
+const PairMatcherRegistration kPaperCeres({"psmks-paper-ceres", "psmks-paper, solved by Ceres",
+                                           PairMatcherFamily::Psmks, 3, makePaperCeres});
+#endif
+}  // namespace
 }  // namespace psmks

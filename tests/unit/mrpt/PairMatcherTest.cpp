@@ -1,11 +1,13 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/mrpt/PairMatcher.h>
+#include <psmks/mrpt/PairMatcherRegistration.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Scenes.h>
 #include <tests/support/ThrownText.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <set>
 
 namespace psmks
 {
@@ -64,6 +66,54 @@ TEST(PairMatcher, anUnknownNameIsRefusedWithTheKnownOnes)
   const std::string text = test::thrownText<OptionError>([] { makePairMatcher("csm"); });
   EXPECT_NE(text.find("'csm'"), std::string::npos);
   EXPECT_NE(text.find("icp-classic"), std::string::npos);
+}
+
+bool isKnown(const std::string& name)
+{
+  const auto names = pairMatcherNames();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+PairMatcherEntry guessNamed(const std::string& name)
+{
+  return {name, "made up", PairMatcherFamily::Guess, 1,
+          [](const std::string&, const MatcherOptions&) { return makePairMatcher("guess"); }};
+}
+
+TEST(PairMatcherRegistration, namesAreUniqueAndDescribedInOneLine)
+{
+  std::set<std::string> names;
+  for (const auto& entry : pairMatcherEntries())
+  {
+    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+    EXPECT_FALSE(entry.description.empty()) << entry.name;
+    EXPECT_EQ(entry.description.find('\n'), std::string::npos) << entry.name;
+  }
+}
+
+TEST(PairMatcherRegistration, oursAreListedFirstAndTheGuessLast)
+{
+  const auto names = pairMatcherNames();
+  EXPECT_EQ(names.front(), "psmks");
+  EXPECT_EQ(names.back(), "guess");
+}
+
+TEST(PairMatcherRegistration, makesAMatcherKnownForAsLongAsItLives)
+{
+  {
+    const PairMatcherRegistration registration(guessNamed("passing"));
+    EXPECT_TRUE(isKnown("passing"));
+    EXPECT_EQ(pairMatcherNames().back(), "passing") << "the place in the family counts";
+    EXPECT_EQ(makePairMatcher("passing")->name(), "guess");
+  }
+  EXPECT_FALSE(isKnown("passing"));
+  EXPECT_THROW(makePairMatcher("passing"), OptionError);
+}
+
+TEST(PairMatcherRegistration, refusesANameThatIsTaken)
+{
+  EXPECT_THROW(PairMatcherRegistration{guessNamed("psmks")}, std::logic_error);
+  EXPECT_TRUE(isKnown("psmks")) << "the one that has the name keeps it";
 }
 }  // namespace
 }  // namespace psmks

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#pragma once
-
-#include <psmks/mrpt/PairMatcher.h>
+#include <psmks/mrpt/PairMatcherRegistration.h>
 
 namespace psmks
+{
+namespace
 {
 /** Takes the guess for the answer: what matching has to improve on. */
 class GuessPairMatcher : public PairMatcher
@@ -25,4 +25,10 @@ class GuessPairMatcher : public PairMatcher
  private:
   std::string name_;
 };
+
+const PairMatcherRegistration kRegistration({"guess", "no match: the guess is the answer",
+                                             PairMatcherFamily::Guess, 0,
+                                             [](const std::string& name, const MatcherOptions&)
+                                             { return std::make_unique<GuessPairMatcher>(name); }});
+}  // namespace
 }  // namespace psmks
