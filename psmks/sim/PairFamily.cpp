@@ -1,0 +1,165 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/sim/ClutteredRoom.h>
+#include <psmks/sim/OfficeFloor.h>
+#include <psmks/sim/PairFamily.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace psmks
+{
+namespace
+{
+/** Two bare walls with nothing else in reach of the scanner. */
+Site makeBareCorridor(unsigned seed)
+{
+  constexpr double kLength_m = 200, kNarrowest_m = 1.8, kWidest_m = 2.6;
+  std::mt19937_64 random(seed);
+  World world;
+  world.addBox(
+      {0, 0}, {kLength_m, std::uniform_real_distribution<double>(kNarrowest_m, kWidest_m)(random)});
+  return {world, {}, std::nullopt};
+}
+
+LaserOptions scanner(double fieldOfView_deg, int rays, double maxRange_m)
+{
+  LaserOptions laser;
+  laser.grid = BeamGrid::centered(degToRad(fieldOfView_deg), rays);
+  laser.maxRange_m = maxRange_m;
+  return laser;
+}
+
+LaserOptions lms() { return scanner(180, 361, 30); }
+LaserOptions shortSightedLms() { return scanner(180, 361, 8); }
+
+PairFamily office(const std::string& name, const std::string& description,
+                  const LaserOptions& laser)
+{
+  PairFamily family{name, description, laser};
+  family.makeSite = makeOfficeFloor;
+  return family;
+}
+
+PairFamily withPeople(PairFamily family, int people)
+{
+  family.people = people;
+  return family;
+}
+
+PairFamily in(Site (*makeSite)(unsigned seed), PairFamily family)
+{
+  family.makeSite = makeSite;
+  return family;
+}
+
+PairFamily small(PairFamily family)
+{
+  family.maxTranslation_m = 0.15;
+  family.maxRotation_rad = degToRad(5);
+  return family;
+}
+
+PairFamily large(PairFamily family)
+{
+  family.maxTranslation_m = 1;
+  family.maxRotation_rad = degToRad(20);
+  return family;
+}
+
+void addPlain(std::vector<PairFamily>& families)
+{
+  struct Kind
+  {
+    std::string name, description;
+    LaserOptions laser;
+  };
+  for (const Kind& kind : {Kind{"L180", "361 rays over 180 degrees, 30 m", lms()},
+                           Kind{"L360", "360 rays all round, 30 m", scanner(360, 360, 30)},
+                           Kind{"L180r8", "361 rays over 180 degrees, 8 m", shortSightedLms()}})
+  {
+    const auto named = [&kind](const std::string& size, const std::string& displacement)
+    { return office(kind.name + size, kind.description + ", " + displacement, kind.laser); };
+    families.push_back(small(named("_small", "up to 0.15 m and 5 degrees apart")));
+    families.push_back(named("_medium", "up to 0.5 m and 15 degrees apart"));
+    families.push_back(large(named("_large", "up to 1 m and 20 degrees apart")));
+  }
+  families.push_back(withPeople(office("L180dyn_medium", "L180_medium with 3 people", lms()), 3));
+  families.push_back(
+      withPeople(office("L360dyn_medium", "L360_medium with 3 people", scanner(360, 360, 30)), 3));
+  families.push_back(in(makeBareCorridor, small(office("L180corr_small", "bare corridor, small",
+                                                       shortSightedLms()))));
+}
+
+/** As L180_medium but for one thing. */
+void addHarder(std::vector<PairFamily>& families)
+{
+  const auto flawed = [](double LaserOptions::*flaw, double value)
+  {
+    LaserOptions laser = lms();
+    laser.*flaw = value;
+    return laser;
+  };
+  constexpr double kBeam_rad = degToRad(0.5);  // neighbouring beams touch
+  families.push_back(
+      in(makeCurved, office("curved", "rooms full of round and thin things", lms())));
+  families.push_back(
+      office("sigma3", "range noise of 3 cm", flawed(&LaserOptions::rangeSigma_m, 0.03)));
+  families.push_back(
+      office("quantised", "ranges rounded to 5 cm", flawed(&LaserOptions::quantum_m, 0.05)));
+  families.push_back(
+      office("dropouts", "10 % of the returns lost", flawed(&LaserOptions::dropOutShare, 0.10)));
+  families.push_back(office("mixed", "beams of 0.5 degrees: mixed pixels at edges",
+                            flawed(&LaserOptions::beamDivergence_rad, kBeam_rad)));
+  families.push_back(office("fov90", "181 rays over 90 degrees", scanner(90, 181, 30)));
+  families.push_back(withPeople(office("people", "a crowd of 6 people", lms()), 6));
+  families.push_back(
+      in(makeBareCorridor, office("corridor", "bare corridor, medium", shortSightedLms())));
+}
+
+/** As real scanners have them. */
+void addRayCounts(std::vector<PairFamily>& families)
+{
+  families.push_back(office("rays181", "181 rays over 180 degrees (SICK LMS 200 at 1 degree)",
+                            scanner(180, 181, 30)));
+  families.push_back(office("rays361", "361 rays over 90 degrees (as SICK LMS 200 at 0.25 degrees)",
+                            scanner(90, 361, 30)));
+  families.push_back(
+      office("rays720", "720 rays all round, 12 m (as Slamtec RPLIDAR A2)", scanner(360, 720, 12)));
+  families.push_back(
+      office("rays1081", "1081 rays over 270 degrees (Hokuyo UTM-30LX)", scanner(270, 1081, 30)));
+}
+
+std::vector<PairFamily> makeFamilies()
+{
+  std::vector<PairFamily> families;
+  addPlain(families);
+  addHarder(families);
+  addRayCounts(families);
+  return families;
+}
+}  // namespace
+
+// Rounding adds an error that is even over a quantum.
+double PairFamily::rangeSigma_m() const
+{
+  return std::sqrt(laser.rangeSigma_m * laser.rangeSigma_m +
+                   laser.quantum_m * laser.quantum_m / 12);
+}
+
+const std::vector<PairFamily>& pairFamilies()
+{
+  static const std::vector<PairFamily> families = makeFamilies();
+  return families;
+}
+
+const PairFamily& pairFamily(const std::string& name)
+{
+  std::string known;
+  for (const PairFamily& family : pairFamilies())
+  {
+    if (family.name == name) return family;
+    known += (known.empty() ? "" : ", ") + family.name;
+  }
+  throw std::invalid_argument("unknown set of pairs '" + name + "'; known are " + known);
+}
+}  // namespace psmks

@@ -1,0 +1,166 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Overlap.h>
+#include <psmks/sim/PairSets.h>
+#include <psmks/sim/Walker.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace psmks
+{
+namespace
+{
+constexpr int kWorlds = 6;  // of one set
+
+double draw(std::mt19937_64& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/** The engine of one pair for one purpose. */
+std::mt19937_64 engine(unsigned seed, int pair, unsigned purpose)
+{
+  std::seed_seq sequence{seed, static_cast<unsigned>(pair), purpose};
+  return std::mt19937_64(sequence);
+}
+
+Pose2 drawMotion(const PairFamily& family, std::mt19937_64& random)
+{
+  const double distance_m = draw(random, 0, family.maxTranslation_m);
+  const double direction_rad = draw(random, -kPi, kPi);
+  const double rotation_rad = draw(random, -family.maxRotation_rad, family.maxRotation_rad);
+  return {distance_m * std::cos(direction_rad), distance_m * std::sin(direction_rad), rotation_rad};
+}
+
+Pose2 drawOdometry(const Pose2& T_ref_cur, std::mt19937_64& random)
+{
+  std::normal_distribution<double> share(0, kOdometryNoise);
+  const double distance_m = T_ref_cur.translation().norm();
+  const double x_m = T_ref_cur.x_m + distance_m * share(random);
+  const double y_m = T_ref_cur.y_m + distance_m * share(random);
+  return {x_m, y_m, T_ref_cur.phi_rad * (1 + share(random))};
+}
+
+/** Makes the pairs of a set, one by one. */
+class PairMaker
+{
+ public:
+  PairMaker(const PairFamily& family, unsigned seed, const std::vector<Pose2>& starts,
+            const std::vector<WorldIndex>& worlds)
+      : family_(family), seed_(seed), starts_(starts), worlds_(worlds)
+  {
+  }
+
+  SimulatedPair make(int id) const
+  {
+    constexpr unsigned kOfPlaces = 1, kOfNoise = 2, kOfOdometry = 3;
+    std::mt19937_64 places = engine(seed_, id, kOfPlaces), noise = engine(seed_, id, kOfNoise);
+    std::mt19937_64 odometry = engine(seed_, id, kOfOdometry);
+    SimulatedPair pair;
+    pair.id = id;
+    pair.world = static_cast<std::size_t>(id) % worlds_.size();
+    do
+      while (!place(pair, places)) continue;
+    while (!scan(pair, noise));
+    pair.T_ref_cur_odometry = drawOdometry(pair.T_ref_cur_true, odometry);
+    return pair;
+  }
+
+ private:
+  const WorldIndex& world(const SimulatedPair& pair) const { return worlds_[pair.world]; }
+
+  /** Puts sensor and people somewhere; false where that is no place for a pair. */
+  bool place(SimulatedPair& pair, std::mt19937_64& random) const
+  {
+    constexpr int kStrollWays = 8;
+    WalkerOptions robot;
+    robot.elbowRoom_m = kSensorClearance_m;
+    Walker walker(world(pair), starts_[pair.world].translation(), robot, random);
+    if (!walker.walkOn(kStrollWays)) return false;
+    pair.T_world_ref = {walker.place_m().x(), walker.place_m().y(), draw(random, -kPi, kPi)};
+    pair.T_ref_cur_true = drawMotion(family_, random);
+    if (!isWayFree(world(pair), pair.T_world_ref.translation(), pair.T_world_cur().translation(),
+                   kSensorClearance_m))
+      return false;
+    return placePeople(pair, random);
+  }
+
+  bool placePeople(SimulatedPair& pair, std::mt19937_64& random) const
+  {
+    constexpr int kTriesPerPerson = 20;
+    pair.people.clear();
+    for (int i = 0; i < family_.people * kTriesPerPerson; ++i)
+    {
+      if (static_cast<int>(pair.people.size()) == family_.people) break;
+      const auto found = person(pair, random);
+      if (found) pair.people.push_back(*found);
+    }
+    return static_cast<int>(pair.people.size()) == family_.people;
+  }
+
+  /** Someone whom the reference sees, and who then goes a step or two. */
+  std::optional<MovingObject> person(const SimulatedPair& pair, std::mt19937_64& random) const
+  {
+    constexpr double kToSensor_m = 0.6;
+    const Eigen::Vector2d atRef_m = pair.T_world_ref.translation();
+    const Eigen::Vector2d atCur_m = pair.T_world_cur().translation();
+    Walker fromSensor(world(pair), atRef_m, {MovingObject{}.radius_m, 1, 5}, random);
+    if (!fromSensor.walkOn() || !isInView(pair.T_world_ref.inverse() * fromSensor.place_m()))
+      return std::nullopt;
+    Walker onward(world(pair), fromSensor.place_m(), {MovingObject{}.radius_m, 0.3, 1.2}, random);
+    if (!onward.walkOn() || (onward.place_m() - atCur_m).norm() < kToSensor_m) return std::nullopt;
+    MovingObject person;
+    person.path_m = onward.lastPoints_m(2);
+    person.speed_mps = (person.path_m[1] - person.path_m[0]).norm() / kBetweenScans_s;
+    return person;
+  }
+
+  bool isInView(const Eigen::Vector2d& point_m) const
+  {
+    const BeamGrid& grid = family_.laser.grid;
+    const double index = grid.index(std::atan2(point_m.y(), point_m.x()));
+    return grid.closed() || (index >= 0 && index <= grid.count() - 1);
+  }
+
+  /** Casts both scans; false where they do not see enough of the same. */
+  bool scan(SimulatedPair& pair, std::mt19937_64& noise) const
+  {
+    pair.reference = cast(pair, pair.T_world_ref, 0, noise);
+    pair.current = cast(pair, pair.T_world_cur(), kBetweenScans_s, noise);
+    return overlap(pair.reference.scan, pair.current.scan, pair.T_ref_cur_true) >= kLeastOverlap;
+  }
+
+  SimulatedScan cast(const SimulatedPair& pair, const Pose2& T_world_sensor, double time_s,
+                     std::mt19937_64& noise) const
+  {
+    const auto atRest = [&T_world_sensor](double) { return T_world_sensor; };
+    if (pair.people.empty()) return castScan(world(pair), atRest, time_s, family_.laser, noise);
+    World peopled = world(pair).world();
+    for (const MovingObject& person : pair.people) peopled.addMovingObject(person);
+    return castScan(WorldIndex(std::move(peopled)), atRest, time_s, family_.laser, noise);
+  }
+
+  const PairFamily& family_;
+  unsigned seed_;
+  const std::vector<Pose2>& starts_;
+  const std::vector<WorldIndex>& worlds_;
+};
+}  // namespace
+
+PairSet makePairSet(const PairFamily& family, unsigned seed, int count)
+{
+  PairSet set;
+  set.family = family;
+  std::vector<Pose2> starts;
+  for (unsigned w = 0; w < kWorlds; ++w)
+  {
+    const Site site = family.makeSite(kWorlds * seed + w);
+    set.worlds.emplace_back(site.world);
+    starts.push_back(site.T_world_start);
+  }
+  const PairMaker maker(family, seed, starts, set.worlds);
+  for (int id = 0; id < count; ++id) set.pairs.push_back(maker.make(id));
+  return set;
+}
+}  // namespace psmks

@@ -1,0 +1,48 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Angle.h>
+#include <psmks/sim/Walker.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace psmks
+{
+// Discs of elbow room a stride apart cover the way but for slivers.
+bool isWayFree(const Surroundings& surroundings, const Eigen::Vector2d& from_m,
+               const Eigen::Vector2d& to_m, double elbowRoom_m)
+{
+  constexpr double kStride_m = 0.1;
+  const double length_m = (to_m - from_m).norm();
+  const Eigen::Vector2d direction = (to_m - from_m).normalized();
+  for (double way_m = kStride_m; way_m < length_m + kStride_m; way_m += kStride_m)
+  {
+    const Eigen::Vector2d point_m = from_m + std::min(way_m, length_m) * direction;
+    if (surroundings.clearance_m(point_m, elbowRoom_m, 0) < elbowRoom_m) return false;
+  }
+  return true;
+}
+
+bool Walker::walkOn()
+{
+  constexpr int kTries = 100;
+  std::uniform_real_distribution<double> angle_rad(-kPi, kPi);
+  std::uniform_real_distribution<double> length_m(options_.shortestWay_m, options_.longestWay_m);
+  for (int i = 0; i < kTries; ++i)
+  {
+    const double angle = angle_rad(random_);
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d end_m = place_m() + length_m(random_) * direction;
+    if (!isWayFree(surroundings_, place_m(), end_m, options_.elbowRoom_m)) continue;
+    path_m_.push_back(end_m);
+    return true;
+  }
+  return false;
+}
+
+bool Walker::walkOn(int ways)
+{
+  for (int way = 0; way < ways; ++way)
+    if (!walkOn()) return false;
+  return true;
+}
+}  // namespace psmks
