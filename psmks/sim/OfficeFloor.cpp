@@ -68,6 +68,6 @@ Site makeOfficeFloor(unsigned seed)
   building.addFrontage({kLength_m, kInnerNorth_m}, {kLength_m, kNorth_m});
 
   const double middle_m = kSouth_m + kCorridor_m / 2;
-  return building.furnished({{kCorridor_m / 2, middle_m}, {kLength_m / 2, middle_m}}, kWalls);
+  return building.furnished({{kLength_m / 2, middle_m}, {kLength_m / 2, kNorth_m}}, kWalls);
 }
 }  // namespace psmks

@@ -13,7 +13,7 @@ namespace
 /** Two bare walls with nothing else in reach of the scanner. */
 Site makeBareCorridor(unsigned seed)
 {
-  constexpr double kLength_m = 200, kNarrowest_m = 1.8, kWidest_m = 2.6;
+  constexpr double kLength_m = 400, kNarrowest_m = 1.8, kWidest_m = 2.6;
   std::mt19937_64 random(seed);
   World world;
   world.addBox(

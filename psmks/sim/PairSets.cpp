@@ -73,7 +73,7 @@ class PairMaker
   /** Puts sensor and people somewhere; false where that is no place for a pair. */
   bool place(SimulatedPair& pair, std::mt19937_64& random) const
   {
-    constexpr int kStrollWays = 8;
+    constexpr int kStrollWays = 40;  // from the middle of a floor to any of its rooms
     WalkerOptions robot;
     robot.elbowRoom_m = kSensorClearance_m;
     Walker walker(world(pair), starts_[pair.world].translation(), robot, random);
