@@ -32,6 +32,7 @@ struct ChartRange
 {
   double min = std::numeric_limits<double>::quiet_NaN();
   double max = std::numeric_limits<double>::quiet_NaN();
+  bool logarithmic = false;  //!< what is not positive is not shown
 };
 
 /** Series over one pair of axes, as data. Texts are shown as they are: no markup. */

@@ -1,8 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/eval/Chart.h>
-
 #include <string>
 
 namespace psmks
@@ -10,10 +8,13 @@ namespace psmks
 /** A text as a gnuplot string in which nothing has a meaning. Control characters become spaces. */
 std::string gnuplotString(const std::string& text);
 
-/** The commands that draw a chart on a terminal that is set up. */
-std::string gnuplotCommands(const Chart& chart);
+/** What a run of gnuplot left behind. */
+struct GnuplotRun
+{
+  std::string failure;  //!< why it failed, one sentence; empty where it did not
+  std::string output;   //!< the pictures that were not sent to a file
+};
 
-/** Runs gnuplot on a script, without a shell.
- *  @return why it failed, one sentence; empty where it did not */
-std::string runGnuplot(const std::string& script);
+/** Runs gnuplot on a script, without a shell. */
+GnuplotRun runGnuplot(const std::string& script);
 }  // namespace psmks

@@ -70,6 +70,20 @@ Chart zigzag()
   return chart;
 }
 
+HeatMap quilt()
+{
+  HeatMap map;
+  map.title = "A quilt";
+  map.xLabel = "d, m";
+  map.yLabel = "a, deg";
+  map.valueLabel = "success, %";
+  map.x = {0.5, 1, 2};
+  map.y = {0, 10};
+  map.value = (Eigen::MatrixXd(2, 3) << 51, 52, 53, 61, kNaN, 63).finished();
+  map.valueMax = 100;
+  return map;
+}
+
 /** Strokes of all curves of an SVG. */
 std::ptrdiff_t strokes(const std::string& svg)
 {
@@ -154,6 +168,71 @@ TEST_F(ChartFile, AColourIsKept)
   chart.series[0].rgb = 0x00ab0c;
   const std::string svg = saved(chart, "chart.svg");
   EXPECT_NE(svg.find("rgb(  0, 171,  12)"), std::string::npos);
+}
+
+TEST_F(ChartFile, ALogarithmicAxisGivesEveryDecadeTheSameWidth)
+{
+  Chart chart = zigzag();
+  chart.series = {{"decades", {{1, 0}, {10, 1}, {100, 2}}}};
+  chart.xRange = {1, 100, true};
+  const std::string svg = saved(chart, "chart.svg");
+  for (const char* tic : {"<text>1<", "<text>10<", "<text>100<"})
+    EXPECT_NE(svg.find(tic), std::string::npos) << tic;
+  EXPECT_EQ(svg.find("<text>50<"), std::string::npos);
+}
+
+TEST_F(ChartFile, ALogarithmicAxisLeavesOutWhatIsNotPositive)
+{
+  Chart chart = zigzag();
+  chart.series = {{"some", {{0, 0}, {-1, 0}, {1, 1}, {10, 2}}}, {"none", {{0, 0}, {-1, 0}}}};
+  chart.xRange.logarithmic = true;
+  const std::string svg = saved(chart, "chart.svg");
+  EXPECT_NE(svg.find("some"), std::string::npos);
+  EXPECT_EQ(svg.find("none</"), std::string::npos);
+}
+
+TEST_F(ChartFile, NothingPositiveIsAnEmptyLogarithmicChart)
+{
+  Chart chart = zigzag();
+  chart.series = {{"none", {{0, 0}}}};
+  chart.xRange.logarithmic = chart.yRange.logarithmic = true;
+  EXPECT_NE(saved(chart, "chart.svg").find("A zigzag"), std::string::npos);
+}
+
+TEST_F(ChartFile, AHeatMapShowsANumberInEveryCellThatHasOne)
+{
+  //  10 | 61  -  63
+  //   0 | 51 52 53
+  //      0.5  1  2
+  HeatMap map = quilt();
+  Figure figure;
+  figure.panels = {map};
+  figure.columns = 1;
+  const std::string svg = svgText(figure);
+  for (const char* text : {"A quilt", "d, m", "a, deg", "success, %", "<text>51<", "<text>52<",
+                           "<text>53<", "<text>61<", "<text>63<"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST_F(ChartFile, AChartBesideAHeatMapIsDrawnAsAlone)
+{
+  Figure figure;
+  figure.panels = {quilt(), zigzag()};
+  const std::string beside = svgText(figure);
+  figure.panels = {zigzag(), zigzag()};
+  const std::string twice = svgText(figure);
+  const auto lastPanel = [](const std::string& svg)
+  { return svg.substr(svg.rfind("gnuplot_plot_")).substr(std::string("gnuplot_plot_1").size()); };
+  EXPECT_EQ(lastPanel(beside), lastPanel(twice));
+}
+
+TEST_F(ChartFile, TheSvgTextIsTheSvgFile)
+{
+  Figure figure;
+  figure.panels = {zigzag()};
+  ASSERT_TRUE(save(figure, path("figure.svg")));
+  EXPECT_EQ(svgText(figure), bytesOf("figure.svg"));
 }
 
 TEST_F(ChartFile, AFolderThatDoesNotExistIsNamed)
