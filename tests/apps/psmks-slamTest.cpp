@@ -179,7 +179,7 @@ TEST_F(PsmksSlam, aGroundTruthOfAnotherTimeIsAnInputErrorAfterEverythingIsSaved)
 TEST_F(PsmksSlam, everyMatcherRuns)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
-  for (const char* matcher : {"psmks", "psmks-paper", "icp-classic", "icp-lm", "odometry"})
+  for (const char* matcher : {"psmks", "psmks-paper", "psm", "icp-classic", "icp-lm", "odometry"})
   {
     const ProgramRun run = slam("room.rawlog", std::string("--matcher ") + matcher);
     EXPECT_EQ(run.exitCode, 0) << matcher << ": " << run.errors;
