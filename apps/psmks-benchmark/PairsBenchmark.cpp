@@ -49,11 +49,12 @@ class GuessRuns
   const std::vector<PairsRun>& runs() const { return runs_; }
 
  private:
-  static PairRecord unmatched(const ScanPair& pair)
+  PairRecord unmatched(const ScanPair& pair) const
   {
     PairRecord record;
     record.id = pair.id;
     record.T_ref_cur_true = pair.T_ref_cur_true;
+    record.T_ref_cur_guess = guess(pair).T_ref_cur;
     record.time_s = std::numeric_limits<double>::infinity();
     record.sequentialTime_s = std::numeric_limits<double>::quiet_NaN();
     return record;

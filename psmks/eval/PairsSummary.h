@@ -17,6 +17,7 @@ struct PairRecord
   int id = 0;
   MatchResult result;
   Pose2 T_ref_cur_true;
+  Pose2 T_ref_cur_guess;        //!< where the match started
   double time_s = 0;            //!< both scans raw
   double sequentialTime_s = 0;  //!< reference prepared beforehand, as where a sequence is matched;
                                 //!< NaN where it was not measured
