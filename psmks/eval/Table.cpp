@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/eval/HtmlText.h>
 #include <psmks/eval/Table.h>
 
 #include <algorithm>
@@ -93,6 +94,22 @@ std::string toMarkdown(const Table& table)
     out << "|\n";
   }
   return out.str();
+}
+
+std::string toHtml(const Table& table)
+{
+  const auto lines = shownLines(table);
+  std::string html = "<table>\n<caption>" + htmlText(table.title) + "</caption>\n";
+  for (std::size_t l = 0; l < lines.size(); ++l)
+  {
+    const std::string cell = l == 0 ? "th" : "td";
+    html += "<tr>";
+    for (std::size_t c = 0; c < lines[l].size(); ++c)
+      html += '<' + cell + (isNumeric(table, c) ? " class=\"number\">" : ">") +
+              htmlText(lines[l][c]) + "</" + cell + '>';
+    html += "</tr>\n";
+  }
+  return html + "</table>\n";
 }
 
 std::string toCsv(const std::vector<Table>& tables)

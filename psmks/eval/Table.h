@@ -30,6 +30,9 @@ std::string toText(const Table& table);
 
 std::string toMarkdown(const Table& table);
 
+/** A `table` element: the title as its caption, cells with numbers of class `number`. */
+std::string toHtml(const Table& table);
+
 /** Keys as header, then the rows of all tables, each after the title of its table; numbers with 7
  *  significant digits.
  *  @param tables at least one, all with the same columns */

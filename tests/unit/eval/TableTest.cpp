@@ -32,6 +32,18 @@ TEST(Table, MarkdownAlignsNumbersToTheRight)
             "| long name | - |\n");
 }
 
+TEST(Table, HtmlHasACaptionAndNoMarkupFromTexts)
+{
+  Table table = kTable;
+  table.title = "a < b & c";
+  table.rows.resize(1);
+  EXPECT_EQ(toHtml(table),
+            "<table>\n<caption>a &lt; b &amp; c</caption>\n"
+            "<tr><th>matcher</th><th class=\"number\">median mm</th></tr>\n"
+            "<tr><td>a</td><td class=\"number\">12.3</td></tr>\n"
+            "</table>\n");
+}
+
 TEST(Table, CsvHasKeysAndSevenDigits)
 {
   EXPECT_EQ(toCsv({kTable}),
