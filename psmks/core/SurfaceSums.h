@@ -1,0 +1,59 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <Eigen/Core>
+
+namespace psmks
+{
+/** Where a ray meets the surface of a straight or round thing, in the axes of the reference. */
+struct SurfaceContact
+{
+  Eigen::Vector2d normal;      //!< unit vector
+  Eigen::Vector3d surfaceRow;  //!< how far the surface moves along it by each unknown of the thing
+  int unknowns;
+
+  /** On a line: its distance, and its angle about a point of it.
+   *  @param normal unit vector
+   *  @param anchor_m any point of the line, the same for all its rays */
+  static SurfaceContact onLine(const Eigen::Vector2d& normal, const Eigen::Vector2d& anchor_m,
+                               const Eigen::Vector2d& contact_m);
+
+  /** On a circle: its radius and its centre. */
+  static SurfaceContact onCircle(const Eigen::Vector2d& centre_m, const Eigen::Vector2d& contact_m);
+};
+
+/** A ray of either scan, in the axes of the reference. */
+struct SurfaceRay
+{
+  Eigen::Vector2d origin_m, direction;
+  double range_m;
+  double noise_m;    //!< measured minus true range; 0 where it is not known
+  bool fromCurrent;  //!< moves with the error of T_ref_cur
+};
+
+/** What rays of a standard deviation of 1 m say about the error (x, y, phi) of T_ref_cur, in the
+ * axes of the reference. */
+struct PoseSums
+{
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();  //!< information * error = pull
+};
+
+/** Normal equations of all rays of two scans on one thing of unknown place. */
+class SurfaceSums
+{
+ public:
+  /** Rays that graze the surface are left out: they say nothing linear about it. */
+  void add(const SurfaceRay& ray, const SurfaceContact& contact);
+
+  /** Adds what is left for the pose once the thing's own unknowns have explained all they can:
+   * nothing where only one scan sees it or where there are no more rays than unknowns. */
+  void addTo(PoseSums& total) const;
+
+ private:
+  static constexpr int kColumns = 7;  // pose, unknowns of the thing, noise
+  Eigen::Matrix<double, kColumns, kColumns> sums_ =
+      Eigen::Matrix<double, kColumns, kColumns>::Zero();
+  int referenceRays_ = 0, currentRays_ = 0, unknowns_ = 0;
+};
+}  // namespace psmks

@@ -1,0 +1,174 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/CirclePairing.h>
+#include <psmks/core/Observability.h>
+#include <psmks/core/Segmentation.h>
+#include <psmks/core/ShortLines.h>
+#include <psmks/core/SurfaceSums.h>
+#include <psmks/eval/PairBound.h>
+#include <psmks/eval/SharedLines.h>
+#include <psmks/eval/Statistics.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace psmks
+{
+namespace
+{
+/** A scan taken apart, at its true pose. */
+struct TruthView
+{
+  Pose2 T_ref_scan;
+  SegmentedScan scan;
+  std::vector<Circle> circles;
+  std::vector<int> circleOfRay;
+  std::vector<Segment> shortLines;
+
+  TruthView(Scan raw, const Pose2& T_ref_scan_true, double rangeSigma_m)
+      : T_ref_scan(T_ref_scan_true)
+  {
+    raw.rangeSigma_m = rangeSigma_m;
+    SegmentationOptions options;
+    options.estimateRangeSigma = false;
+    SegmentationBuffers buffers;
+    segmentScan(raw, {}, options, buffers, scan);
+    findCircles(scan, circles, circleOfRay);
+    findShortLines(scan, circleOfRay, shortLines);
+  }
+};
+
+void addLines(const TruthView& view, SharedLines& lines)
+{
+  for (const Segment& segment : view.scan.segments) lines.add(segment, view.T_ref_scan);
+  for (const Segment& segment : view.shortLines) lines.add(segment, view.T_ref_scan);
+}
+
+/** Gives every ray of a scan to the wall that it ends on. */
+void addRays(const TruthView& view, bool isCurrent, const SharedLines& lines,
+             std::vector<SurfaceSums>& walls)
+{
+  const Eigen::Matrix2d R_ref_scan = view.T_ref_scan.rotation();
+  for (int ray = 0; ray < view.scan.rays(); ++ray)
+  {
+    if (!view.scan.isValid(ray)) continue;
+    const Eigen::Vector2d direction = R_ref_scan * view.scan.grid.direction(ray);
+    const double range_m = view.scan.range_m[static_cast<std::size_t>(ray)];
+    const Eigen::Vector2d end_m = view.T_ref_scan.translation() + range_m * direction;
+    const SharedLines::Piece* piece = lines.pieceAt(direction, end_m, view.scan.rangeSigma_m);
+    if (piece == nullptr) continue;
+    const AnchoredLine& wall = lines.pieces()[piece->wall].line;
+    walls[piece->wall].add({view.T_ref_scan.translation(), direction, range_m, 0, isCurrent},
+                           SurfaceContact::onLine(wall.normal, wall.anchor_m, end_m));
+  }
+}
+
+Eigen::Matrix3d lineInformation(const TruthView& reference, const TruthView& current)
+{
+  SharedLines lines;
+  addLines(reference, lines);
+  addLines(current, lines);
+  lines.group();
+  std::vector<SurfaceSums> walls(lines.pieces().size());
+  addRays(reference, false, lines, walls);
+  addRays(current, true, lines, walls);
+  PoseSums sums;
+  for (const SurfaceSums& wall : walls) wall.addTo(sums);
+  return sums.information / (reference.scan.rangeSigma_m * reference.scan.rangeSigma_m);
+}
+
+/** A pair of circles holds R q + t against p, with the covariance of both. */
+Eigen::Matrix3d circleInformation(const TruthView& reference, const TruthView& current)
+{
+  constexpr double kSamePlace_m = 0.05;
+  std::vector<CirclePairTerm> pairs;
+  pairCircles(reference.circles, current.circles, current.T_ref_scan, kSamePlace_m, pairs);
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  for (const CirclePairTerm& pair : pairs)
+  {
+    Eigen::Matrix<double, 2, 3> J;
+    J << Eigen::Matrix2d::Identity(), current.T_ref_scan.rotationDerivative() * pair.curCentre_m;
+    information += J.transpose() * pair.information * J;
+  }
+  return information;
+}
+
+/** Errors of position and heading drawn from bounds. */
+class ErrorDraws
+{
+ public:
+  void add(const Eigen::Matrix3d& information)
+  {
+    constexpr int kDrawsPerPair = 20;
+    const bool isPositionKnown = observability(information).weakSigma_m < kOpen_m;
+    const double headingSigma_rad = 1 / std::sqrt(headingInformation(information));
+    const bool isHeadingKnown = headingSigma_rad < kOpen_rad;
+    // With information = L L', the covariance of inv(L') white is its inverse.
+    const Eigen::LLT<Eigen::Matrix2d> position(positionInformation(information));
+    for (int i = 0; i < kDrawsPerPair; ++i)
+    {
+      const Eigen::Vector2d white(normal_(random_), normal_(random_));
+      const double heading_rad = headingSigma_rad * std::abs(normal_(random_));
+      translations_m_.push_back(isPositionKnown ? position.matrixU().solve(white).norm()
+                                                : kInfinity);
+      rotations_rad_.push_back(isHeadingKnown ? heading_rad : kInfinity);
+    }
+  }
+
+  BoundSummary summary() const
+  {
+    return {median(translations_m_), quantile(translations_m_, kP95), median(rotations_rad_),
+            quantile(rotations_rad_, kP95)};
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static constexpr double kP95 = 0.95;
+  static constexpr double kOpen_m = 0.5, kOpen_rad = degToRad(20);  // known worse: not at all
+
+  /** Of the position alone, whatever the heading. */
+  static Eigen::Matrix2d positionInformation(const Eigen::Matrix3d& information)
+  {
+    const Eigen::Vector2d coupling = information.topRightCorner<2, 1>();
+    return information.topLeftCorner<2, 2>() - coupling * coupling.transpose() / information(2, 2);
+  }
+
+  /** Of the heading alone, whatever the position. A direction that the scans leave open does not
+   * tell of the heading: where it seems to, the lines are parallel but for their noise. */
+  static double headingInformation(const Eigen::Matrix3d& information)
+  {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> position(
+        information.topLeftCorner<2, 2>());
+    const Eigen::Vector2d coupling =
+        position.eigenvectors().transpose() * information.topRightCorner<2, 1>();
+    double left = information(2, 2);
+    for (int i = 0; i < 2; ++i)
+      if (position.eigenvalues()[i] > 1 / (kOpen_m * kOpen_m))
+        left -= coupling[i] * coupling[i] / position.eigenvalues()[i];
+    return std::max(left, 0.0);
+  }
+
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+  std::vector<double> translations_m_, rotations_rad_;
+};
+}  // namespace
+
+PairBound pairBound(const Scan& reference, const Scan& current, const Pose2& T_ref_cur_true,
+                    double rangeSigma_m)
+{
+  const TruthView ref(reference, Pose2{}, rangeSigma_m);
+  const TruthView cur(current, T_ref_cur_true, rangeSigma_m);
+  return {lineInformation(ref, cur) + circleInformation(ref, cur)};
+}
+
+BoundSummary summarize(const std::vector<PairBound>& bounds)
+{
+  ErrorDraws draws;
+  for (const PairBound& bound : bounds) draws.add(bound.information);
+  return draws.summary();
+}
+}  // namespace psmks

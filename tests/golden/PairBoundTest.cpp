@@ -1,0 +1,55 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/eval/PairBound.h>
+#include <psmks/eval/Statistics.h>
+#include <psmks/sim/PairSets.h>
+#include <psmks/sim/PoseBound.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+double positionSigma_m(const Eigen::Matrix3d& information)
+{
+  return std::sqrt(information.inverse().topLeftCorner<2, 2>().trace());
+}
+
+/** How much less the scans alone let one know than the map of the world does, pair by pair. */
+std::vector<double> sigmaRatios(const std::string& family, int pairs)
+{
+  const PairSet set = makePairSet(pairFamily(family), 1, pairs);
+  const double sigma_m = set.family.rangeSigma_m();
+  std::vector<double> ratios;
+  for (const SimulatedPair& pair : set.pairs)
+  {
+    const PairBound alone =
+        pairBound(pair.reference.scan, pair.current.scan, pair.T_ref_cur_true, sigma_m);
+    const PoseBound withMap = poseBound(set.worlds[pair.world].world(), pair.T_world_ref,
+                                        pair.reference, pair.T_world_cur(), pair.current, sigma_m);
+    ratios.push_back(positionSigma_m(alone.information) / positionSigma_m(withMap.information));
+  }
+  return ratios;
+}
+}  // namespace
+
+TEST(PairBoundOnGeneratedPairs, IsThatOfTheKnownWorld)
+{
+  for (const char* family : {"L180_small", "L180_medium", "L360_medium", "rays1081"})
+  {
+    const std::vector<double> ratios = sigmaRatios(family, 60);
+    EXPECT_NEAR(median(ratios), 1, 0.05) << family;
+    EXPECT_GT(quantile(ratios, 0.05), 0.95) << family << ": it must not promise too much";
+    EXPECT_LT(quantile(ratios, 0.95), 1.3) << family;
+  }
+}
+
+TEST(PairBoundOnGeneratedPairs, PeopleAreNotTakenForWalls)
+{
+  const std::vector<double> ratios = sigmaRatios("L180dyn_medium", 60);
+  EXPECT_NEAR(median(ratios), 1, 0.08);
+  EXPECT_GT(quantile(ratios, 0.05), 0.9);
+}
+}  // namespace psmks
