@@ -117,6 +117,8 @@ TEST_F(PsmMatcherTest, iterationsEndWhereTheStepsAreSmallOrTheOptionsSay)
   options_.maxIterations = 1;
   EXPECT_EQ(matchOffice(grid_).status, PsmStatus::MaxIterations);
   EXPECT_EQ(matchOffice(grid_).iterations, 1);
+  EXPECT_EQ(matchOffice(grid_).T_ref_cur.translation().norm(), 0) << "orientation goes first";
+  EXPECT_GT(matchOffice(grid_).T_ref_cur.phi_rad, degToRad(1));
 }
 
 // A person of 0.5 m stands before the wall in the current scan only, as wide as one fifth of it.
