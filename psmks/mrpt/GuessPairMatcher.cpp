@@ -15,11 +15,7 @@ class GuessPairMatcher : public PairMatcher
 
   MatchResult match(const Scan&, const Scan&, const Guess& guess) override
   {
-    MatchResult result;
-    result.status = MatchStatus::Converged;
-    result.T_ref_cur = guess.T_ref_cur;
-    if (guess.covariance) result.covariance = *guess.covariance;
-    return result;
+    return keptGuess(MatchStatus::Converged, guess);
   }
 
  private:

@@ -99,15 +99,6 @@ CSimplePointsMap toPointsMap(const Scan& scan, float spacing_m)
   return map;
 }
 
-MatchResult failed(MatchStatus status, const Guess& guess)
-{
-  MatchResult result;
-  result.status = status;
-  result.T_ref_cur = guess.T_ref_cur;
-  if (guess.covariance) result.covariance = *guess.covariance;
-  return result;
-}
-
 /** mrpt::slam::CICP on two point maps, each made of a scan.
  *
  *  A match is a failure (NoImprovement) at kAcceptedGoodness and below. `score` is the share of
@@ -129,7 +120,7 @@ class IcpPairMatcher : public PairMatcher
     const CSimplePointsMap currentMap = toPointsMap(current, settings_.currentSpacing_m);
     const double maps_s = stopwatch.lap_s();
     if (referenceMap.empty() || currentMap.empty() || !guess.T_ref_cur.isFinite())
-      return failed(MatchStatus::InvalidInput, guess);
+      return keptGuess(MatchStatus::InvalidInput, guess);
 
     MatchResult result = align(referenceMap, currentMap, guess);
     result.times.segmentation_s = maps_s;
@@ -146,7 +137,7 @@ class IcpPairMatcher : public PairMatcher
     estimate.copyFrom(
         *icp_.AlignPDF(&reference, &current, CPosePDFGaussian(toMrpt(guess.T_ref_cur)), info));
 
-    MatchResult result = failed(MatchStatus::NoImprovement, guess);
+    MatchResult result = keptGuess(MatchStatus::NoImprovement, guess);
     if (info.goodness > kAcceptedGoodness)
     {
       const bool stopped = info.nIterations < icp_.options.maxIterations;

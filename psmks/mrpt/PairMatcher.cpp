@@ -4,6 +4,15 @@
 
 namespace psmks
 {
+MatchResult keptGuess(MatchStatus status, const Guess& guess)
+{
+  MatchResult result;
+  result.status = status;
+  result.T_ref_cur = guess.T_ref_cur;
+  if (guess.covariance) result.covariance = *guess.covariance;
+  return result;
+}
+
 std::vector<std::string> pairMatcherNames()
 {
   std::vector<std::string> names;

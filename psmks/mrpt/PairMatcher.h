@@ -39,6 +39,10 @@ class PairMatcher
   Scan reference_;
 };
 
+/** The result that stays at the guess, with the covariance of the guess where it has one: what a
+ * match that failed gives. */
+MatchResult keptGuess(MatchStatus status, const Guess& guess);
+
 /** The names that makePairMatcher() knows, in the order of listings. Each matcher registers itself
  *  in its own file, see PairMatcherRegistration.h. */
 std::vector<std::string> pairMatcherNames();
