@@ -112,21 +112,15 @@ class ErrorDraws
     {
       const Eigen::Vector2d white(normal_(random_), normal_(random_));
       const double heading_rad = headingSigma_rad * std::abs(normal_(random_));
-      translations_m_.push_back(isPositionKnown ? position.matrixU().solve(white).norm()
-                                                : kInfinity);
-      rotations_rad_.push_back(isHeadingKnown ? heading_rad : kInfinity);
+      errors_.push_back({isPositionKnown ? position.matrixU().solve(white).norm() : kInfinity,
+                         isHeadingKnown ? heading_rad : kInfinity});
     }
   }
 
-  BoundSummary summary() const
-  {
-    return {median(translations_m_), quantile(translations_m_, kP95), median(rotations_rad_),
-            quantile(rotations_rad_, kP95)};
-  }
+  const std::vector<PairError>& errors() const { return errors_; }
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  static constexpr double kP95 = 0.95;
   static constexpr double kOpen_m = 0.5, kOpen_rad = degToRad(20);  // known worse: not at all
 
   /** Of the position alone, whatever the heading. */
@@ -153,7 +147,7 @@ class ErrorDraws
 
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
-  std::vector<double> translations_m_, rotations_rad_;
+  std::vector<PairError> errors_;
 };
 }  // namespace
 
@@ -165,10 +159,23 @@ PairBound pairBound(const Scan& reference, const Scan& current, const Pose2& T_r
   return {lineInformation(ref, cur) + circleInformation(ref, cur)};
 }
 
-BoundSummary summarize(const std::vector<PairBound>& bounds)
+std::vector<PairError> drawnErrors(const std::vector<PairBound>& bounds)
 {
   ErrorDraws draws;
   for (const PairBound& bound : bounds) draws.add(bound.information);
-  return draws.summary();
+  return draws.errors();
+}
+
+BoundSummary summarize(const std::vector<PairBound>& bounds)
+{
+  constexpr double kP95 = 0.95;
+  std::vector<double> translations_m, rotations_rad;
+  for (const PairError& error : drawnErrors(bounds))
+  {
+    translations_m.push_back(error.translation_m);
+    rotations_rad.push_back(error.rotation_rad);
+  }
+  return {median(translations_m), quantile(translations_m, kP95), median(rotations_rad),
+          quantile(rotations_rad, kP95)};
 }
 }  // namespace psmks

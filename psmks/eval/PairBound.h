@@ -3,6 +3,7 @@
 
 #include <psmks/core/Pose2.h>
 #include <psmks/core/Scan.h>
+#include <psmks/eval/PairError.h>
 
 #include <Eigen/Core>
 #include <vector>
@@ -29,14 +30,17 @@ struct PairBound
 PairBound pairBound(const Scan& reference, const Scan& current, const Pose2& T_ref_cur_true,
                     double rangeSigma_m);
 
-/** The errors of a matcher that reaches the bound of every pair, with PairError's measures. */
+/** Errors of a matcher that reaches the bound of every pair: normal ones drawn with the covariance
+ * of each bound, several a pair, the same for the same bounds. Infinite where a pair leaves them
+ * open. */
+std::vector<PairError> drawnErrors(const std::vector<PairBound>& bounds);
+
+/** The figures of drawnErrors(); NaN without bounds. */
 struct BoundSummary
 {
   double translationMedian_m = 0, translationP95_m = 0;
   double rotationMedian_rad = 0, rotationP95_rad = 0;
 };
 
-/** From normal errors drawn with the covariance of each bound, the same for the same bounds.
- * NaN where so many pairs leave them open, and without bounds. */
 BoundSummary summarize(const std::vector<PairBound>& bounds);
 }  // namespace psmks
