@@ -31,13 +31,9 @@ MatchStatus toMatchStatus(PsmStatus status)
 
 MatchResult toMatchResult(const PsmResult& psm, const Guess& guess, int goodRays)
 {
-  MatchResult result;
-  result.status = toMatchStatus(psm.status);
+  MatchResult result = keptGuess(toMatchStatus(psm.status), guess);
   result.T_ref_cur = psm.T_ref_cur;
-  if (psm.usable())
-    result.covariance = psm.covariance;
-  else if (guess.covariance)
-    result.covariance = *guess.covariance;
+  if (psm.usable()) result.covariance = psm.covariance;
   result.score = std::min(1.0, static_cast<double>(psm.pairs) / std::max(1, goodRays));
   result.associations = psm.pairs;
   result.iterations = psm.iterations;
