@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <apps/psmks-slam/Summary.h>
+#include <apps/psmks-slam/SummaryOutput.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <psmks/mrpt/ScanMap.h>
 

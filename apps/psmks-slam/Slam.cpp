@@ -1,8 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/MapWindow.h>
 #include <apps/psmks-slam/Slam.h>
+#include <apps/support/GroundTruth.h>
+#include <apps/support/LogScan.h>
 #include <apps/support/Progress.h>
-#include <psmks/core/Preprocessing.h>
 
 #include <algorithm>
 #include <iostream>
@@ -36,17 +37,10 @@ const CommandLine& checked(const CommandLine& commandLine)
   return commandLine;
 }
 
-std::optional<Trajectory> readGroundTruth(const std::string& path)
+std::optional<Trajectory> groundTruthOf(const CommandLine& commandLine)
 {
-  if (path.empty()) return std::nullopt;
-  try
-  {
-    return readTrajectory(path);
-  }
-  catch (const TrajectoryFileError& error)
-  {
-    throw ProgramError(kInputDamaged, std::string("ground truth ") + error.what());
-  }
+  if (commandLine.groundTruth.empty()) return std::nullopt;
+  return readGroundTruth(commandLine.groundTruth);
 }
 
 bool isOdometryAlone(const CommandLine& commandLine) { return commandLine.matcher == "odometry"; }
@@ -55,13 +49,6 @@ std::unique_ptr<PairMatcher> makeMatcher(const CommandLine& commandLine, const S
 {
   return makePairMatcher(isOdometryAlone(commandLine) ? "guess" : commandLine.matcher,
                          options.matching.matcher);
-}
-
-bool hasReturns(const PosedScan& posed)
-{
-  SegmentedScan cleaned;
-  cleanScan(posed.scan, PreprocessingOptions(), cleaned);
-  return cleaned.validRays() > 0;
 }
 
 std::string quotedSensors(const RawlogReader& reader)
@@ -76,7 +63,7 @@ std::string quotedSensors(const RawlogReader& reader)
 Slam::Slam(const CommandLine& commandLine, const SlamOptions& options)
     : commandLine_(checked(commandLine)),
       options_(options),
-      groundTruth_(readGroundTruth(commandLine.groundTruth)),
+      groundTruth_(groundTruthOf(commandLine)),
       output_(outputPath(commandLine), commandLine.overwrite),
       reader_(commandLine.log, commandLine.sensor),
       builder_(makeMatcher(commandLine, options), options.reference, options.odometry)
@@ -117,15 +104,10 @@ void Slam::buildTrajectory()
 
 void Slam::add(const LaserFrame& frame)
 {
-  const SensorMounting mounting = sensorMounting(*frame.scan);
-  Scan scan = converter_.convert(*frame.scan);
-  scan.stamp_s = frame.stamp_s;
-  if (mounting.tilt_rad > options_.matching.maxTilt_rad)
-    std::fill(scan.valid.begin(), scan.valid.end(), std::uint8_t{0});
-
+  LogScan scan = toLogScan(frame, converter_, options_.matching.maxTilt_rad);
   const bool isFirst = builder_.scans().empty();
   if (!isFirst && !frame.odometry) ++scansWithoutOdometry_;
-  const PosedScan& posed = builder_.add(std::move(scan), mounting.T_robot_sensor, frame.odometry);
+  const PosedScan& posed = builder_.add(std::move(scan.scan), scan.T_robot_sensor, scan.odometry);
   keepKeyframes(frame);
   if (rawlog_) rawlog_->write(posed, frame);
   if (!commandLine_.verbose) return;
@@ -164,7 +146,8 @@ void Slam::requireScans() const
     throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no scan of the sensor '" +
                                          *commandLine_.sensor + "', but of " +
                                          quotedSensors(reader_));
-  if (std::none_of(scans.begin(), scans.end(), hasReturns))
+  if (std::none_of(scans.begin(), scans.end(),
+                   [](const PosedScan& posed) { return hasReturns(posed.scan); }))
     throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no usable 2D laser scan");
   const auto withoutOdometry = static_cast<std::size_t>(scansWithoutOdometry_);
   if (isOdometryAlone(commandLine_) && scans.size() > 1 && withoutOdometry + 1 == scans.size())
@@ -192,15 +175,10 @@ LogSummary Slam::logSummary() const
 
 Summary Slam::summary() const
 {
-  Summary result = summarise(builder_.scans());
+  Summary result = summarise(builder_.scans(), groundTruth_);
   result.log = logSummary();
   result.matcher = commandLine_.matcher;
   if (isOdometryAlone(commandLine_)) result.unmatched = result.scans - 1;
-  if (groundTruth_)
-  {
-    const TrajectoryError error = trajectoryError(trajectoryOf(builder_.scans()), *groundTruth_);
-    if (error.poses > 0) result.error = error;
-  }
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include <apps/psmks-slam/CommandLine.h>
 #include <apps/psmks-slam/Slam.h>
 #include <apps/support/ExitCode.h>
+#include <apps/support/LogScan.h>
 
 #include <iostream>
 
@@ -19,19 +20,6 @@ SlamOptions effectiveOptions(const CommandLine& commandLine)
   if (commandLine.reference) options.set("reference.choice=" + *commandLine.reference);
   for (const auto& assignment : commandLine.assignments) options.set(assignment);
   return options;
-}
-
-void refuseCarmen(const std::string& log)
-{
-  const std::string name = log.substr(0, log.rfind(".gz"));
-  for (const char* ending : {".log", ".clf"})
-  {
-    const auto at = name.rfind(ending);
-    if (at != std::string::npos && at + 4 == name.size())
-      throw ProgramError(kUsage, "'" + log +
-                                     "' is a CARMEN log by its name, but only MRPT rawlogs "
-                                     "are read");
-  }
 }
 
 ExitCode run(const CommandLine& commandLine)

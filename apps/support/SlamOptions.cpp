@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/psmks-slam/SlamOptions.h>
 #include <apps/support/Assignment.h>
+#include <apps/support/SlamOptions.h>
 #include <mrpt/config/CConfigFile.h>
 #include <psmks/mrpt/ConfigFile.h>
 

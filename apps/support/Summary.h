@@ -1,11 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <apps/psmks-slam/SlamOptions.h>
 #include <psmks/eval/Trajectory.h>
 #include <psmks/mrpt/TrajectoryBuilder.h>
 
-#include <iosfwd>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,7 +22,7 @@ struct LogSummary
   int stampsMadeUp = 0;
 };
 
-/** What a run came to. Values that do not exist (times without a match) are NaN. */
+/** What building a trajectory came to. Values that do not exist (times without a match) are NaN. */
 struct Summary
 {
   LogSummary log;
@@ -43,12 +41,13 @@ struct Summary
   std::size_t failures() const;
 };
 
-Summary summarise(const std::vector<PosedScan>& scans);
+/** All but the log and the matcher's name.
+ *  @param groundTruth of the same robot; without it, or where it has no pose at the time of a scan,
+ *         there is no error */
+Summary summarise(const std::vector<PosedScan>& scans,
+                  const std::optional<Trajectory>& groundTruth = std::nullopt);
 
 /** The robot's poses at its scans. */
 Trajectory trajectoryOf(const std::vector<PosedScan>& scans);
 Trajectory odometryOf(const std::vector<PosedScan>& scans);
-
-void printSummary(std::ostream& out, const Summary& summary);
-void writeSummaryJson(std::ostream& out, const Summary& summary, SlamOptions& options);
 }  // namespace psmks

@@ -1,0 +1,39 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/support/ExitCode.h>
+#include <apps/support/LogScan.h>
+#include <psmks/core/Preprocessing.h>
+
+#include <algorithm>
+
+namespace psmks
+{
+LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter, double maxTilt_rad)
+{
+  const SensorMounting mounting = sensorMounting(*frame.scan);
+  LogScan result{converter.convert(*frame.scan), mounting.T_robot_sensor, frame.odometry};
+  result.scan.stamp_s = frame.stamp_s;
+  if (mounting.tilt_rad > maxTilt_rad)
+    std::fill(result.scan.valid.begin(), result.scan.valid.end(), std::uint8_t{0});
+  return result;
+}
+
+bool hasReturns(const Scan& scan)
+{
+  SegmentedScan cleaned;
+  cleanScan(scan, PreprocessingOptions(), cleaned);
+  return cleaned.validRays() > 0;
+}
+
+void refuseCarmen(const std::string& path)
+{
+  const std::string name = path.substr(0, path.rfind(".gz"));
+  for (const char* ending : {".log", ".clf"})
+  {
+    const auto at = name.rfind(ending);
+    if (at != std::string::npos && at + 4 == name.size())
+      throw ProgramError(kUsage, "'" + path +
+                                     "' is a CARMEN log by its name, but only MRPT rawlogs "
+                                     "are read");
+  }
+}
+}  // namespace psmks

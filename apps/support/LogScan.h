@@ -1,0 +1,29 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/Scan.h>
+#include <psmks/mrpt/Convert.h>
+#include <psmks/mrpt/RawlogReader.h>
+
+#include <optional>
+#include <string>
+
+namespace psmks
+{
+/** A scan of a log, as TrajectoryBuilder takes it. */
+struct LogScan
+{
+  Scan scan;
+  Pose2 T_robot_sensor;
+  std::optional<Pose2> odometry;  //!< see LaserFrame
+};
+
+/** @param maxTilt_rad of the scanner; a scan tilted further has no valid ray */
+LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter, double maxTilt_rad);
+
+/** Whether any ray of the scan met anything. */
+bool hasReturns(const Scan& scan);
+
+/** @throws ProgramError (kUsage) for what is a CARMEN log by its name */
+void refuseCarmen(const std::string& path);
+}  // namespace psmks
