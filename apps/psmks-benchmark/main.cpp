@@ -1,5 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/ExperimentsCommand.h>
+#include <apps/psmks-benchmark/GrowthCommand.h>
+#include <apps/psmks-benchmark/LogsCommand.h>
 #include <apps/psmks-benchmark/PairsCommand.h>
 #include <apps/psmks-benchmark/SegmentationCommand.h>
 #include <apps/support/ExitCode.h>
@@ -26,12 +28,17 @@ int main(int argc, char** argv)
   app.set_version_flag("--version", "psmks-benchmark " PSMKS_VERSION);
   app.require_subcommand(1);
   CLI::App* pairsApp = app.add_subcommand("pairs", "matchers on files of scan pairs");
+  CLI::App* logsApp = app.add_subcommand("logs", "matchers on logs of a robot");
+  CLI::App* growthApp =
+      app.add_subcommand("growth", "how the time of a match grows with the rays of the scans");
   CLI::App* segmentationApp =
       app.add_subcommand("segmentation", "Kalman Segmentation on simulated scans");
   CLI::App* experimentsApp =
       app.add_subcommand("experiments", "the paper's experiments on simulated drives");
   CLI::App* matchersApp = app.add_subcommand("matchers", "lists those that can be compared");
   psmks::PairsCommand pairs(*pairsApp);
+  psmks::LogsCommand logs(*logsApp);
+  psmks::GrowthCommand growth(*growthApp);
   psmks::SegmentationCommand segmentation(*segmentationApp);
   psmks::ExperimentsCommand experiments(*experimentsApp);
 
@@ -39,6 +46,8 @@ int main(int argc, char** argv)
   {
     app.parse(argc, argv);
     if (pairsApp->parsed()) return pairs.run();
+    if (logsApp->parsed()) return logs.run();
+    if (growthApp->parsed()) return growth.run();
     if (matchersApp->parsed()) return listMatchers();
     if (segmentationApp->parsed()) return segmentation.run();
     return experiments.run();
@@ -46,6 +55,11 @@ int main(int argc, char** argv)
   catch (const CLI::Success& helpOrVersion)
   {
     return app.exit(helpOrVersion);
+  }
+  catch (const psmks::ProgramError& error)
+  {
+    std::cerr << "psmks-benchmark: " << error.what() << '\n';
+    return error.exitCode;
   }
   catch (const std::exception& error)
   {
