@@ -27,6 +27,7 @@ const std::vector<std::string> kRoamed{"room", "clutter", "curved", "corridors"}
 const std::vector<std::string> kDriven{"office", "campus"};
 
 const std::string kDefaultFolder = "docs";
+const std::string kPictureFolder = "img/experiments";
 const std::string kMappedMethod = "joint-map";
 
 std::vector<std::string> knownMethods()
@@ -84,7 +85,7 @@ int ExperimentsCommand::run()
   for (const auto& method : experimentMethods())
     if (contains(methodKeys_, method.key)) methods_.push_back(method);
   output_.open();
-  if (!folder_.empty()) pictures_.emplace(folder_);
+  if (!folder_.empty()) pictures_.emplace(folder_, kPictureFolder);
 
   const auto drives = plans();
   std::vector<DriveResult> results;

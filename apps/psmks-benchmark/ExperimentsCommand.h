@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <apps/psmks-benchmark/Pictures.h>
 #include <apps/psmks-benchmark/TableOutput.h>
-#include <apps/psmks-benchmark/experiments/Pictures.h>
 #include <apps/psmks-benchmark/experiments/Results.h>
 
 #include <CLI/CLI.hpp>

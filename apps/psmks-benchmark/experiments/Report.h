@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <apps/psmks-benchmark/experiments/Pictures.h>
+#include <apps/psmks-benchmark/Pictures.h>
 #include <apps/psmks-benchmark/experiments/Results.h>
 
 #include <iosfwd>

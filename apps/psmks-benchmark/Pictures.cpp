@@ -1,26 +1,22 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/psmks-benchmark/experiments/Pictures.h>
+#include <apps/psmks-benchmark/Pictures.h>
 
 #include <filesystem>
 #include <iostream>
 
 namespace psmks
 {
-namespace
+Pictures::Pictures(const std::string& reportFolder, const std::string& folder)
+    : reportFolder_(reportFolder), folder_(folder)
 {
-const std::filesystem::path kFolder = std::filesystem::path("img") / "experiments";
-}
-
-Pictures::Pictures(const std::string& reportFolder) : reportFolder_(reportFolder)
-{
-  std::filesystem::create_directories(reportFolder / kFolder);
+  std::filesystem::create_directories(std::filesystem::path(reportFolder) / folder);
 }
 
 void Pictures::add(const std::string& name, const std::string& caption, const Figure& figure)
 {
-  const std::filesystem::path path = kFolder / (name + ".png");
+  const std::filesystem::path path = std::filesystem::path(folder_) / (name + ".png");
   std::string reason;
-  if (save(figure, (reportFolder_ / path).string(), &reason))
+  if (save(figure, (std::filesystem::path(reportFolder_) / path).string(), &reason))
   {
     saved_.push_back({caption, path.string()});
     return;

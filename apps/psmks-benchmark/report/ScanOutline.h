@@ -1,0 +1,18 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/Scan.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** Ends of the rays that returned, in the sensor frame. */
+std::vector<Eigen::Vector2d> returnPoints(const Scan& scan);
+
+/** The returns of a scan as the data of an SVG path: centimetres, y downwards. Neighbours that may
+ * lie on one surface are joined. */
+std::string outlinePath(const Scan& scan);
+}  // namespace psmks

@@ -1,0 +1,28 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-benchmark/report/WorstPairs.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace psmks
+{
+namespace
+{
+double badness(const PairError& error)
+{
+  return std::max(error.translation_m / kSuccessLimit.translation_m,
+                  error.rotation_rad / kSuccessLimit.rotation_rad);
+}
+}  // namespace
+
+std::vector<std::size_t> worstRecords(const std::vector<PairRecord>& records, std::size_t count)
+{
+  std::vector<std::size_t> places(records.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::stable_sort(places.begin(), places.end(),
+                   [&records](std::size_t a, std::size_t b)
+                   { return badness(records[a].error()) > badness(records[b].error()); });
+  places.resize(std::min(count, places.size()));
+  return places;
+}
+}  // namespace psmks
