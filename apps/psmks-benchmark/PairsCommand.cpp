@@ -41,19 +41,37 @@ GuessKind guessKind(const std::string& name)
     if (toString(kind) == name) return kind;
   throw CLI::ValidationError("--guess", "'" + name + "' is not known, allowed: zero | odometry");
 }
-
-/** The file's name without folder and extensions. */
-std::string tableTitle(const std::string& path)
-{
-  const std::string name = std::filesystem::path(path).filename().string();
-  return name.substr(0, name.find(".pairs"));
-}
 }  // namespace
 
 PairsCommand::PairsCommand(CLI::App& app)
 {
   options_.matchers = defaultMatchers();
-  app.add_option("FILE", paths_, "files of scan pairs (.pairs or .pairs.gz)")->required();
+  addInputFlags(app);
+  addMatchFlags(app);
+  app.add_option("--dump", dumpPath_, "write every match as CSV")->type_name("FILE");
+  output_.addFlags(app);
+}
+
+void PairsCommand::addInputFlags(CLI::App& app)
+{
+  app.add_option("SET", sets_, "files of scan pairs (.pairs or .pairs.gz), or names of sets");
+  app.add_flag("--list-sets", listsSets_, "print the names of the sets that can be generated");
+  app.add_option("--seed", seed_, "of generated sets")->capture_default_str();
+  app.add_option("--pairs", generatedPairs_, "in each generated set")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--max-pairs", maxPairs_, "of each file; 0 = all")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--save-pairs", saveFolder_, "write each set as NAME.pairs.gz")
+      ->type_name("FOLDER");
+  app.add_option("--range-sigma_m", rangeSigma_m_,
+                 "noise of a range, for the bound of the errors [that of the set, 0.01 for files]")
+      ->check(CLI::PositiveNumber);
+}
+
+void PairsCommand::addMatchFlags(CLI::App& app)
+{
   app.add_option("--matchers", options_.matchers, "of " + joined(pairMatcherNames()))
       ->delimiter(',')
       ->capture_default_str();
@@ -73,34 +91,52 @@ PairsCommand::PairsCommand(CLI::App& app)
       ->capture_default_str();
   app.add_flag("--sequential", options_.sequential,
                "also the time against a reference that is prepared beforehand, as in a sequence");
-  app.add_option("--max-pairs", maxPairs_, "of each file; 0 = all")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
   app.add_option("--config", configPath_, "options of psmks, sections [psmks.STAGE]")
       ->type_name("INI");
   app.add_option("--set", assignments_, "one option of psmks, over --config")
       ->type_name("SECTION.KEY=VALUE");
-  app.add_option("--dump", dumpPath_, "write every match as CSV")->type_name("FILE");
-  output_.addFlags(app);
 }
 
 int PairsCommand::run()
+{
+  if (listsSets_)
+  {
+    std::cout << listOfSets();
+    return kOk;
+  }
+  requireInput();
+  settleOptions();
+  output_.open();
+  if (!dumpPath_.empty()) dump_ = createFile("--dump", dumpPath_);
+  if (dump_.is_open()) dump_ << dumpHeader();
+
+  std::vector<PairsInput> inputs;
+  for (const auto& set : sets_) inputs.push_back(input(set));
+  if (!saveFolder_.empty())
+    for (const auto& set : inputs)
+      if (!set.pairs.empty()) savePairs(saveFolder_, set);
+  for (const auto& set : inputs) match(set);
+  if (!results_.empty()) output_.write(tables());
+
+  if (damaged_) return kInputDamaged;
+  if (results_.empty()) return kNothingToDo;
+  return matches_ > 0 && usableMatches_ == 0 ? kEveryMatchFailed : kOk;
+}
+
+void PairsCommand::requireInput() const
+{
+  if (sets_.empty()) throw CLI::RequiredError("SET: a file of scan pairs or the name of a set");
+  for (const auto& set : sets_)
+    if (looksLikeASet(set)) pairFamily(set);
+}
+
+void PairsCommand::settleOptions()
 {
   options_.matcherOptions = matcherOptions();
   options_.odometrySigma_rad = degToRad(odometrySigma_deg_);
   options_.guesses.clear();
   for (const auto& name : guesses_) options_.guesses.push_back(guessKind(name));
   for (const auto& name : options_.matchers) makePairMatcher(name, options_.matcherOptions);
-  output_.open();
-  if (!dumpPath_.empty()) dump_ = createFile("--dump", dumpPath_);
-  if (dump_.is_open()) dump_ << dumpHeader();
-
-  for (const auto& path : paths_) match(path);
-  if (!tables_.empty()) output_.write(tables_);
-
-  if (damaged_) return kInputDamaged;
-  if (tables_.empty()) return kNothingToDo;
-  return matches_ > 0 && usableMatches_ == 0 ? kEveryMatchFailed : kOk;
 }
 
 MatcherOptions PairsCommand::matcherOptions() const
@@ -121,39 +157,54 @@ MatcherOptions PairsCommand::matcherOptions() const
   return options;
 }
 
-std::vector<ScanPair> PairsCommand::readPairs(const std::string& path)
+PairsInput PairsCommand::input(const std::string& argument)
 {
-  std::vector<ScanPair> pairs;
+  PairsInput input;
   try
   {
-    PairsReader reader(path);
-    const auto wanted = static_cast<std::size_t>(maxPairs_);
-    for (ScanPair pair; (maxPairs_ == 0 || pairs.size() < wanted) && reader.read(pair);)
-      pairs.push_back(pair);
-    if (pairs.empty()) std::cerr << "psmks-benchmark: " << path << ": holds no pair\n";
+    if (isGenerated(argument))
+      input = generatedPairs(pairFamily(argument), seed_, generatedPairs_);
+    else
+      readPairs(argument, maxPairs_, input);
+    if (input.pairs.empty()) std::cerr << "psmks-benchmark: " << argument << ": holds no pair\n";
   }
   catch (const PairsFileError& error)
   {
     damaged_ = true;
     std::cerr << "psmks-benchmark: " << error.what() << '\n';
   }
-  return pairs;
+  return input;
 }
 
-void PairsCommand::match(const std::string& path)
+void PairsCommand::match(const PairsInput& input)
 {
-  const std::vector<ScanPair> pairs = readPairs(path);
-  if (pairs.empty()) return;
+  if (input.pairs.empty()) return;
 
-  const std::string title = tableTitle(path);
-  Progress progress(title);
-  const auto runs = runPairs(pairs, options_, [&](double share) { progress.show(share); });
-  for (const auto& run : runs)
+  PairsSetResult result{input.title, input.pairs, {}, {}, input.hasMovingObjects};
+  const double sigma_m = rangeSigma_m_ > 0 ? rangeSigma_m_ : input.rangeSigma_m;
+  for (const ScanPair& pair : input.pairs)
+    result.bounds.push_back(pairBound(pair.reference, pair.current, pair.T_ref_cur_true, sigma_m));
+
+  Progress progress(input.title);
+  result.runs = runPairs(input.pairs, options_, [&](double share) { progress.show(share); });
+  for (const auto& run : result.runs)
   {
     if (dump_.is_open()) dump_ << dumpRows(run);
     if (run.matcher != kNoMatcher) countMatches(run);
   }
-  tables_.push_back(pairsTable(title, runs, kBaseline));
+  results_.push_back(std::move(result));
+}
+
+std::vector<Table> PairsCommand::tables() const
+{
+  std::vector<Table> tables;
+  const auto add = [&tables](const PairsSetResult& set)
+  { tables.push_back(pairsTable(set.title, set.runs, summarize(set.bounds), kBaseline)); };
+  for (const PairsSetResult& set : results_) add(set);
+  const auto isStatic = [](const PairsSetResult& set) { return !set.hasMovingObjects; };
+  if (std::count_if(results_.begin(), results_.end(), isStatic) > 1)
+    add(pooledStaticSets(results_));
+  return tables;
 }
 
 void PairsCommand::countMatches(const PairsRun& run)

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <apps/psmks-benchmark/PairsBenchmark.h>
+#include <apps/psmks-benchmark/PairsInput.h>
+#include <apps/psmks-benchmark/PairsSetResult.h>
 #include <apps/psmks-benchmark/TableOutput.h>
 
 #include <CLI/CLI.hpp>
@@ -10,7 +12,8 @@
 
 namespace psmks
 {
-/** `psmks-benchmark pairs FILE...`: matchers on files of scan pairs, one table a file. */
+/** `psmks-benchmark pairs SET...`: matchers on scan pairs, one table a set, which is a file or the
+ * name of one to be generated, and one over all sets without moving objects. */
 class PairsCommand
 {
  public:
@@ -21,12 +24,22 @@ class PairsCommand
   int run();
 
  private:
+  void addInputFlags(CLI::App& app);
+  void addMatchFlags(CLI::App& app);
+  void requireInput() const;
+  void settleOptions();
   MatcherOptions matcherOptions() const;
-  std::vector<ScanPair> readPairs(const std::string& path);
-  void match(const std::string& path);
+  PairsInput input(const std::string& argument);
+  void match(const PairsInput& input);
   void countMatches(const PairsRun& run);
+  std::vector<Table> tables() const;
 
-  std::vector<std::string> paths_;
+  std::vector<std::string> sets_;
+  bool listsSets_ = false;
+  unsigned seed_ = 1;
+  int generatedPairs_ = 200;
+  std::string saveFolder_;
+  double rangeSigma_m_ = 0;  //!< 0 = the set's own
   std::vector<std::string> guesses_{"zero", "odometry"};
   std::string configPath_;
   std::vector<std::string> assignments_;
@@ -36,7 +49,7 @@ class PairsCommand
   PairsBenchmarkOptions options_;
   TableOutput output_;
 
-  std::vector<Table> tables_;
+  std::vector<PairsSetResult> results_;
   std::ofstream dump_;
   bool damaged_ = false;
   std::size_t matches_ = 0, usableMatches_ = 0;

@@ -17,5 +17,9 @@ struct PairsSetResult
   std::vector<ScanPair> pairs;
   std::vector<PairBound> bounds;  //!< one per pair
   std::vector<PairsRun> runs;     //!< one per matcher and guess; records one per pair, in order
+  bool hasMovingObjects = false;
 };
+
+/** The bounds and runs of all sets without moving objects as one, without its pairs. */
+PairsSetResult pooledStaticSets(const std::vector<PairsSetResult>& sets);
 }  // namespace psmks

@@ -48,13 +48,15 @@ double medianTimeOf_s(const std::vector<PairsRun>& runs, const std::string& matc
   return kNoValue;
 }
 
-std::vector<Table::Cell> tableRow(const PairsRun& run, const PairsSummary& s, double timeUnit_s)
+std::vector<Table::Cell> tableRow(const PairsRun& run, const PairsSummary& s,
+                                  const BoundSummary& bound, double timeUnit_s)
 {
   return {run.matcher,
           run.guess,
           kPercent * s.successShare,
           kMillimetresPerMetre * s.translationMedian_m,
           kMillimetresPerMetre * s.translationP95_m,
+          s.translationMedian_m / bound.translationMedian_m,
           radToDeg(s.rotationMedian_rad),
           radToDeg(s.rotationP95_rad),
           static_cast<double>(s.acceptedAndWrong),
@@ -64,8 +66,25 @@ std::vector<Table::Cell> tableRow(const PairsRun& run, const PairsSummary& s, do
           kPercent * s.ellipsoidShare,
           kMillisecondsPerSecond * s.timeMedian_s,
           kMillisecondsPerSecond * s.timeP95_s,
+          s.timeP95_s / s.timeMedian_s,
           kMillisecondsPerSecond * s.sequentialTimeMedian_s,
           s.timeMedian_s / timeUnit_s};
+}
+
+/** The row of a matcher that does as well as can be. */
+std::vector<Table::Cell> boundRow(const std::string& guess, const BoundSummary& bound,
+                                  std::size_t columns)
+{
+  std::vector<Table::Cell> row{"bound",
+                               guess,
+                               kNoValue,
+                               kMillimetresPerMetre * bound.translationMedian_m,
+                               kMillimetresPerMetre * bound.translationP95_m,
+                               kNoValue,
+                               radToDeg(bound.rotationMedian_rad),
+                               radToDeg(bound.rotationP95_rad)};
+  row.resize(columns, kNoValue);
+  return row;
 }
 }  // namespace
 
@@ -103,7 +122,7 @@ PairsSummary summarize(const std::vector<PairRecord>& records)
 }
 
 Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
-                 const std::string& baseline)
+                 const BoundSummary& bound, const std::string& baseline)
 {
   Table table;
   table.title = title;
@@ -112,6 +131,7 @@ Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
                    {"success %", "success_percent", 1},
                    {"t median mm", "translation_median_mm", 2},
                    {"t p95 mm", "translation_p95_mm", 1},
+                   {"t / bound", "translation_median_to_bound", 2},
                    {"r median deg", "rotation_median_deg", 4},
                    {"r p95 deg", "rotation_p95_deg", 3},
                    {"wrong", "accepted_and_wrong", 0},
@@ -121,11 +141,17 @@ Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
                    {"in 95 %", "ellipsoid_95_percent", 1},
                    {"median ms", "time_median_ms", 3},
                    {"p95 ms", "time_p95_ms", 3},
+                   {"p95 / median", "time_p95_to_median", 1},
                    {"sequential ms", "sequential_time_median_ms", 3},
                    {"/ " + baseline, "time_ratio", 2}};
-  for (const auto& run : runs)
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    const PairsRun& run = runs[r];
+    if (r == 0 || runs[r - 1].guess != run.guess)
+      table.rows.push_back(boundRow(run.guess, bound, table.columns.size()));
     table.rows.push_back(
-        tableRow(run, summarize(run.records), medianTimeOf_s(runs, baseline, run.guess)));
+        tableRow(run, summarize(run.records), bound, medianTimeOf_s(runs, baseline, run.guess)));
+  }
   return table;
 }
 

@@ -3,6 +3,7 @@
 
 #include <psmks/core/MatchResult.h>
 #include <psmks/core/Pose2.h>
+#include <psmks/eval/PairBound.h>
 #include <psmks/eval/PairError.h>
 #include <psmks/eval/Table.h>
 
@@ -53,11 +54,12 @@ struct PairsSummary
 
 PairsSummary summarize(const std::vector<PairRecord>& records);
 
-/** One row a run.
+/** One row a run, and before the first run of every guess one for the bound.
+ *  @param bound of the errors of the same pairs
  *  @param baseline name of the matcher whose median time with the same guess is the unit of the
  *  column of time ratios; where it is not among the runs the ratios are NaN */
 Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
-                 const std::string& baseline);
+                 const BoundSummary& bound, const std::string& baseline);
 
 /** Every record of every run as CSV: header once, then one row a pair and matcher. */
 std::string dumpHeader();

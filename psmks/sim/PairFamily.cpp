@@ -152,14 +152,19 @@ const std::vector<PairFamily>& pairFamilies()
   return families;
 }
 
+const PairFamily* findPairFamily(const std::string& name)
+{
+  for (const PairFamily& family : pairFamilies())
+    if (family.name == name) return &family;
+  return nullptr;
+}
+
 const PairFamily& pairFamily(const std::string& name)
 {
+  if (const PairFamily* family = findPairFamily(name)) return *family;
   std::string known;
   for (const PairFamily& family : pairFamilies())
-  {
-    if (family.name == name) return family;
     known += (known.empty() ? "" : ", ") + family.name;
-  }
   throw std::invalid_argument("unknown set of pairs '" + name + "'; known are " + known);
 }
 }  // namespace psmks

@@ -32,6 +32,9 @@ struct PairFamily
  * is 1 cm and the worlds are office floors of 32 x 20 m where nothing else is said. */
 const std::vector<PairFamily>& pairFamilies();
 
+/** The family of a name, or null. */
+const PairFamily* findPairFamily(const std::string& name);
+
 /** @throws std::invalid_argument naming the known ones for a name that is not known */
 const PairFamily& pairFamily(const std::string& name);
 }  // namespace psmks

@@ -68,9 +68,10 @@ TEST_F(PsmksBenchmark, PrintsATableWithARowForEachMatcherAndGuess)
   const ProgramRun run = runProgram(kProgram + "pairs " + pairs_ + " --matchers psmks,guess");
   EXPECT_EQ(run.exitCode, 0) << run.errors;
   EXPECT_EQ(run.errors, "");
-  // machine, blank, title, heading, 2 matchers x 2 guesses
-  ASSERT_EQ(lines(run.output).size(), 8U) << run.output;
+  // machine, blank, title, heading, (bound and 2 matchers) x 2 guesses
+  ASSERT_EQ(lines(run.output).size(), 10U) << run.output;
   EXPECT_EQ(lines(run.output)[2], "room");
+  EXPECT_EQ(lines(run.output)[4].rfind("bound ", 0), 0U) << run.output;
 }
 
 TEST_F(PsmksBenchmark, DumpsOneRowForEachPairAndMatcher)
@@ -95,9 +96,14 @@ TEST_F(PsmksBenchmark, PsmksFindsTheMotionOfTheRoomPairs)
                                     " --matchers psmks --guess zero --json " + path("t.json"));
   ASSERT_EQ(run.exitCode, 0) << run.errors;
   const auto json = nlohmann::json::parse(fileText(path("t.json")));
-  const auto& row = json.at("tables").at(0).at("rows").at(0);
-  EXPECT_EQ(row.at("success_percent"), 100);
-  EXPECT_LT(row.at("translation_median_mm"), 10);
+  const auto& rows = json.at("tables").at(0).at("rows");
+  ASSERT_EQ(rows.at(1).at("matcher"), "psmks");
+  EXPECT_EQ(rows.at(1).at("success_percent"), 100);
+  EXPECT_LT(rows.at(1).at("translation_median_mm"), 10);
+  EXPECT_NEAR(rows.at(1).at("translation_median_mm").get<double>(),
+              rows.at(1).at("translation_median_to_bound").get<double>() *
+                  rows.at(0).at("translation_median_mm").get<double>(),
+              1e-6);
 }
 
 TEST_F(PsmksBenchmark, WritesTheTablesInEveryFormat)
@@ -106,11 +112,12 @@ TEST_F(PsmksBenchmark, WritesTheTablesInEveryFormat)
       runProgram(kProgram + "pairs " + pairs_ + " --matchers guess --csv " + path("t.csv") +
                  " --json " + path("t.json") + " --markdown " + path("t.md"));
   ASSERT_EQ(run.exitCode, 0) << run.errors;
-  EXPECT_EQ(lines(fileText(path("t.csv"))).at(1).rfind("room,guess,zero,0,200,", 0), 0U);
+  EXPECT_EQ(lines(fileText(path("t.csv"))).at(1).rfind("room,bound,zero,,", 0), 0U);
+  EXPECT_EQ(lines(fileText(path("t.csv"))).at(2).rfind("room,guess,zero,0,200,", 0), 0U);
   EXPECT_EQ(lines(fileText(path("t.md"))).at(0), "### room");
   const auto json = nlohmann::json::parse(fileText(path("t.json")));
-  EXPECT_EQ(json.at("tables").at(0).at("rows").size(), 2U);
-  EXPECT_TRUE(json.at("tables").at(0).at("rows").at(0).at("nees_mean").is_null());
+  EXPECT_EQ(json.at("tables").at(0).at("rows").size(), 4U);
+  EXPECT_TRUE(json.at("tables").at(0).at("rows").at(1).at("nees_mean").is_null());
 }
 
 TEST_F(PsmksBenchmark, ReadsNoMorePairsThanAskedFor)
@@ -180,6 +187,103 @@ TEST_F(PsmksBenchmark, AFileWithoutPairsIsNothingToDo)
 {
   PairsWriter(path("empty.pairs"), {LaserOptions().grid, LaserOptions().maxRange_m, 0}).close();
   EXPECT_EQ(runProgram(kProgram + "pairs " + path("empty.pairs")).exitCode, 3);
+}
+
+/** The rows of tables in CSV without what depends on the machine. */
+std::vector<std::string> rowsWithoutTimes(const std::string& csv)
+{
+  constexpr int kTimes = 5;  // columns at the end
+  std::vector<std::string> rows = lines(csv);
+  for (std::string& row : rows)
+    for (int i = 0; i < kTimes; ++i) row.erase(row.rfind(','));
+  return rows;
+}
+
+TEST_F(PsmksBenchmark, GeneratesSetsByNameAndSeed)
+{
+  const auto figures = [this](const std::string& flags)
+  {
+    const ProgramRun run =
+        runProgram(kProgram + "pairs fov90 corridor --pairs 5 --matchers psmks --csv " +
+                   path("t.csv") + flags);
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    return rowsWithoutTimes(fileText(path("t.csv")));
+  };
+  const auto rows = figures(" --seed 3");
+  EXPECT_EQ(rows, figures(" --seed 3"));
+  EXPECT_NE(rows, figures(" --seed 4"));
+  // heading, (bound and psmks) x 2 guesses for each set and for both as one
+  ASSERT_EQ(rows.size(), 1U + 3 * 4);
+  EXPECT_EQ(rows[1].rfind("fov90,bound,zero,", 0), 0U) << rows[1];
+  EXPECT_EQ(rows[6].rfind("corridor,psmks,zero,", 0), 0U) << rows[6];
+  EXPECT_EQ(rows[9].rfind("all sets without moving objects,bound,zero,", 0), 0U) << rows[9];
+}
+
+TEST_F(PsmksBenchmark, ASetWithPeopleIsLeftOutOfTheTableOfAllSets)
+{
+  const auto tables = [this](const std::string& sets)
+  {
+    const ProgramRun run =
+        runProgram(kProgram + "pairs " + sets + " --pairs 4 --matchers guess --guess zero --csv " +
+                   path("t.csv"));
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    return rowsWithoutTimes(fileText(path("t.csv")));
+  };
+  const auto without = tables("L180_small fov90"), with = tables("L180_small people fov90");
+  ASSERT_EQ(without.size(), 1U + 3 * 2);
+  ASSERT_EQ(with.size(), 1U + 4 * 2);
+  EXPECT_EQ(with.back(), without.back());
+  EXPECT_EQ(with.back().rfind("all sets without moving objects,guess,", 0), 0U) << with.back();
+  EXPECT_EQ(tables("L180_small people").size(), 1U + 2 * 2);
+}
+
+TEST_F(PsmksBenchmark, SavedPairsGiveTheSameTableAgain)
+{
+  const std::string flags = " --matchers psmks --csv " + path("t.csv");
+  const ProgramRun saving =
+      runProgram(kProgram + "pairs quantised --pairs 5 --save-pairs " + path("saved") + flags);
+  ASSERT_EQ(saving.exitCode, 0) << saving.errors;
+  const auto rows = rowsWithoutTimes(fileText(path("t.csv")));
+  const ProgramRun reading =
+      runProgram(kProgram + "pairs " + path("saved/quantised.pairs.gz") + flags);
+  ASSERT_EQ(reading.exitCode, 0) << reading.errors;
+  EXPECT_EQ(rowsWithoutTimes(fileText(path("t.csv"))), rows);
+
+  const ProgramRun again =
+      runProgram(kProgram + "pairs quantised --save-pairs " + path("saved") + flags);
+  EXPECT_EQ(again.exitCode, 1);
+  EXPECT_NE(again.errors.find("exists already"), std::string::npos) << again.errors;
+}
+
+TEST_F(PsmksBenchmark, TheBoundOfAFileGrowsWithTheNoiseThatIsStated)
+{
+  const auto bound_mm = [this](const std::string& flags)
+  {
+    runProgram(kProgram + "pairs " + pairs_ + " --matchers guess --guess zero --json " +
+               path("t.json") + flags);
+    const auto json = nlohmann::json::parse(fileText(path("t.json")));
+    return json.at("tables").at(0).at("rows").at(0).at("translation_median_mm").get<double>();
+  };
+  EXPECT_DOUBLE_EQ(bound_mm(""), bound_mm(" --range-sigma_m 0.01"));
+  EXPECT_GT(bound_mm(" --range-sigma_m 0.02"), 1.5 * bound_mm(""));
+}
+
+TEST_F(PsmksBenchmark, ListsTheSetsThatCanBeGenerated)
+{
+  const ProgramRun run = runProgram(kProgram + "pairs --list-sets");
+  EXPECT_EQ(run.exitCode, 0);
+  EXPECT_EQ(lines(run.output).at(0).rfind("L180_small ", 0), 0U) << run.output;
+  EXPECT_NE(run.output.find("\ncurved "), std::string::npos);
+}
+
+TEST_F(PsmksBenchmark, AnUnknownSetIsAUsageErrorThatNamesTheKnownOnes)
+{
+  const ProgramRun run = runProgram(kProgram + "pairs curved moon");
+  EXPECT_EQ(run.exitCode, 1);
+  EXPECT_EQ(lines(run.errors).size(), 1U) << run.errors;
+  EXPECT_NE(run.errors.find("'moon'"), std::string::npos) << run.errors;
+  EXPECT_NE(run.errors.find("L180_small, "), std::string::npos) << run.errors;
+  EXPECT_EQ(runProgram(kProgram + "pairs").exitCode, 1);
 }
 
 TEST_F(PsmksBenchmark, SegmentationIsTheSameForTheSameSeed)

@@ -3,6 +3,7 @@
 #include <psmks/eval/PairsSummary.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace psmks
 {
@@ -68,11 +69,36 @@ TEST(PairsSummary, TimeRatiosAreThoseOfOneKindOfGuess)
                                   {"slow", "zero", timed(4e-3)},
                                   {"fast", "odometry", timed(1e-3)},
                                   {"slow", "odometry", timed(2e-3)}},
-                                 "slow");
+                                 BoundSummary(), "slow");
   const auto ratio = [&table](std::size_t row) { return std::get<double>(table.rows[row].back()); };
-  EXPECT_DOUBLE_EQ(ratio(0), 0.25);
-  EXPECT_DOUBLE_EQ(ratio(1), 1);
-  EXPECT_DOUBLE_EQ(ratio(2), 0.5);
+  // each guess begins with the row of the bound, which takes no time
+  EXPECT_TRUE(std::isnan(ratio(0)));
+  EXPECT_DOUBLE_EQ(ratio(1), 0.25);
+  EXPECT_DOUBLE_EQ(ratio(2), 1);
+  EXPECT_TRUE(std::isnan(ratio(3)));
+  EXPECT_DOUBLE_EQ(ratio(4), 0.5);
+}
+
+TEST(PairsSummary, ErrorsAreHeldAgainstTheBound)
+{
+  const BoundSummary bound{0.05, 0.12, degToRad(0.01), degToRad(0.03)};
+  const Table table = pairsTable("", {{"psmks", "zero", kFive}}, bound, "psmks");
+  const auto value = [&table](std::size_t row, const std::string& key)
+  {
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      if (table.columns[c].key == key) return std::get<double>(table.rows[row][c]);
+    throw std::invalid_argument(key);
+  };
+  ASSERT_EQ(table.rows.size(), 2U);
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+  EXPECT_EQ(std::get<std::string>(table.rows[0][0]), "bound");
+  EXPECT_DOUBLE_EQ(value(0, "translation_median_mm"), 50);
+  EXPECT_DOUBLE_EQ(value(0, "translation_p95_mm"), 120);
+  EXPECT_NEAR(value(0, "rotation_median_deg"), 0.01, 1e-12);
+  EXPECT_NEAR(value(0, "rotation_p95_deg"), 0.03, 1e-12);
+  EXPECT_TRUE(std::isnan(value(0, "success_percent")));
+  EXPECT_DOUBLE_EQ(value(1, "translation_median_to_bound"), 0.20 / 0.05);
+  EXPECT_NEAR(value(1, "time_p95_to_median"), 4.8 / 3, 1e-9);
 }
 
 TEST(PairsDump, HasOneRowAPairInTheOrderOfItsHeader)

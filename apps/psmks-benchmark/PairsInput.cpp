@@ -1,0 +1,76 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-benchmark/PairsInput.h>
+#include <apps/psmks-benchmark/ScanPairs.h>
+
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+
+namespace psmks
+{
+namespace
+{
+constexpr const char* kExtension = ".pairs";
+
+void describe(PairsInput& input, const PairFamily& family)
+{
+  input.rangeSigma_m = family.rangeSigma_m();
+  input.hasMovingObjects = family.people > 0;
+}
+}  // namespace
+
+bool isGenerated(const std::string& argument)
+{
+  return findPairFamily(argument) != nullptr && !std::filesystem::exists(argument);
+}
+
+bool looksLikeASet(const std::string& argument)
+{
+  return argument.find_first_of("./\\") == std::string::npos && !std::filesystem::exists(argument);
+}
+
+std::string listOfSets()
+{
+  constexpr int kNameWidth = 16;
+  std::ostringstream text;
+  for (const PairFamily& family : pairFamilies())
+    text << std::left << std::setw(kNameWidth) << family.name << family.description << '\n';
+  return text.str();
+}
+
+PairsInput generatedPairs(const PairFamily& family, unsigned seed, int count)
+{
+  PairsInput input;
+  input.title = family.name;
+  input.header = {family.laser.grid, family.laser.maxRange_m, count};
+  describe(input, family);
+  input.pairs = scanPairs(makePairSet(family, seed, count));
+  return input;
+}
+
+void readPairs(const std::string& path, int maxPairs, PairsInput& input)
+{
+  const std::string name = std::filesystem::path(path).filename().string();
+  input.title = name.substr(0, name.find(kExtension));
+  if (const PairFamily* family = findPairFamily(input.title)) describe(input, *family);
+  PairsReader reader(path);
+  input.header = reader.header();
+  const auto wanted = static_cast<std::size_t>(maxPairs);
+  for (ScanPair pair; (maxPairs == 0 || input.pairs.size() < wanted) && reader.read(pair);)
+    input.pairs.push_back(pair);
+}
+
+void savePairs(const std::string& folder, const PairsInput& input)
+{
+  std::error_code ignored;  // what cannot be created cannot be written to either
+  std::filesystem::create_directories(folder, ignored);
+  const std::string path =
+      (std::filesystem::path(folder) / (input.title + kExtension + ".gz")).string();
+  if (std::filesystem::exists(path)) throw PairsFileError(path + ": exists already");
+  PairsHeader header = input.header;
+  header.pairs = static_cast<int>(input.pairs.size());  // fewer than a file promised
+  PairsWriter writer(path, header);
+  for (const ScanPair& pair : input.pairs) writer.write(pair);
+  writer.close();
+}
+}  // namespace psmks

@@ -1,0 +1,45 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/eval/PairsFile.h>
+#include <psmks/sim/PairFamily.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** Scan pairs to match, from a file or generated. */
+struct PairsInput
+{
+  std::string title;  //!< the file's name without folder and extensions, or that of the set
+  PairsHeader header;
+  std::vector<ScanPair> pairs;
+  double rangeSigma_m = 0.01;
+  bool hasMovingObjects = false;
+};
+
+/** True where an argument of the command line means a set to be generated: it is the name of one,
+ * and no file. */
+bool isGenerated(const std::string& argument);
+
+/** True where an argument can only have been meant as the name of a set: it looks like no path. */
+bool looksLikeASet(const std::string& argument);
+
+/** One line a set: its name and what it holds. */
+std::string listOfSets();
+
+PairsInput generatedPairs(const PairFamily& family, unsigned seed, int count);
+
+/** Reads a file, which may say by its name that it holds a set saved by savePairs(): noise and
+ * moving objects are then those of the set.
+ *  @param maxPairs 0 = all
+ *  @param[out] input all that was read before an error
+ *  @throws PairsFileError */
+void readPairs(const std::string& path, int maxPairs, PairsInput& input);
+
+/** Writes FOLDER/TITLE.pairs.gz.
+ *  @throws PairsFileError where it exists already or cannot be written */
+void savePairs(const std::string& folder, const PairsInput& input);
+}  // namespace psmks
