@@ -40,6 +40,15 @@ const std::string& titleOf(const Panel& panel)
 {
   return std::visit([](const auto& content) -> const std::string& { return content.title; }, panel);
 }
+
+std::string drawnChart(const Panel& chart, std::string& reason)
+{
+  Figure figure;
+  figure.panels = {chart};
+  figure.panelWidth_px = kChartWidth_px;
+  figure.panelHeight_px = kChartHeight_px;
+  return inlineSvg(svgText(figure, &reason), titleOf(chart));
+}
 }  // namespace
 
 HtmlPage::HtmlPage(const std::string& title, const PageOrigin& origin) : title_(title)
@@ -57,17 +66,11 @@ void HtmlPage::addTable(const Table& table)
 
 void HtmlPage::addCharts(const std::vector<Panel>& charts)
 {
+  if (chartsFailed_) return;
   std::string drawn, reason;
   for (const Panel& chart : charts)
-  {
-    if (chartsFailed_) return;
-    Figure figure;
-    figure.panels = {chart};
-    figure.panelWidth_px = kChartWidth_px;
-    figure.panelHeight_px = kChartHeight_px;
-    drawn += inlineSvg(svgText(figure, &reason), titleOf(chart));
-    chartsFailed_ = !reason.empty();
-  }
+    if (reason.empty()) drawn += drawnChart(chart, reason);
+  chartsFailed_ = !reason.empty();
   body_ += chartsFailed_ ? "<p>There are no charts: " + htmlText(reason) + ".</p>\n"
                          : "<div class=\"charts\">\n" + drawn + "</div>\n";
 }
