@@ -17,7 +17,7 @@ struct PairFamily
   LaserOptions laser;
   double maxTranslation_m = 0.5;              //!< between the two scans, in any direction
   double maxRotation_rad = degToRad(15);      //!< either way
-  int people = 0;                             //!< in sight, who move between the two scans
+  int people = 0;                             //!< around, who move between the two scans
   Site (*makeSite)(unsigned seed) = nullptr;  //!< its route is not used
 
   /** Standard deviation of a range, rounding to the quantum included. */

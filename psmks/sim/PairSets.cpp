@@ -99,28 +99,20 @@ class PairMaker
     return static_cast<int>(pair.people.size()) == family_.people;
   }
 
-  /** Someone whom the reference sees, and who then goes a step or two. */
+  /** Someone whom nothing hides from the reference, and who then goes a step or two. */
   std::optional<MovingObject> person(const SimulatedPair& pair, std::mt19937_64& random) const
   {
     constexpr double kToSensor_m = 0.6;
     const Eigen::Vector2d atRef_m = pair.T_world_ref.translation();
     const Eigen::Vector2d atCur_m = pair.T_world_cur().translation();
     Walker fromSensor(world(pair), atRef_m, {MovingObject{}.radius_m, 1, 5}, random);
-    if (!fromSensor.walkOn() || !isInView(pair.T_world_ref.inverse() * fromSensor.place_m()))
-      return std::nullopt;
+    if (!fromSensor.walkOn()) return std::nullopt;
     Walker onward(world(pair), fromSensor.place_m(), {MovingObject{}.radius_m, 0.3, 1.2}, random);
     if (!onward.walkOn() || (onward.place_m() - atCur_m).norm() < kToSensor_m) return std::nullopt;
     MovingObject person;
     person.path_m = onward.lastPoints_m(2);
     person.speed_mps = (person.path_m[1] - person.path_m[0]).norm() / kBetweenScans_s;
     return person;
-  }
-
-  bool isInView(const Eigen::Vector2d& point_m) const
-  {
-    const BeamGrid& grid = family_.laser.grid;
-    const double index = grid.index(std::atan2(point_m.y(), point_m.x()));
-    return grid.closed() || (index >= 0 && index <= grid.count() - 1);
   }
 
   /** Casts both scans; false where they do not see enough of the same. */
