@@ -1,5 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-benchmark/Machine.h>
 #include <apps/psmks-benchmark/PairsCommand.h>
+#include <apps/psmks-benchmark/report/CommandLine.h>
+#include <apps/psmks-benchmark/report/PairsPage.h>
 #include <apps/support/Assignment.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
@@ -49,6 +52,9 @@ PairsCommand::PairsCommand(CLI::App& app)
   addInputFlags(app);
   addMatchFlags(app);
   app.add_option("--dump", dumpPath_, "write every match as CSV")->type_name("FILE");
+  app.add_option("--html", htmlPath_,
+                 "write one page: tables, distributions, the worst pairs drawn")
+      ->type_name("FILE");
   output_.addFlags(app);
 }
 
@@ -107,6 +113,7 @@ int PairsCommand::run()
   requireInput();
   settleOptions();
   output_.open();
+  if (!htmlPath_.empty()) html_ = createFile("--html", htmlPath_);
   if (!dumpPath_.empty()) dump_ = createFile("--dump", dumpPath_);
   if (dump_.is_open()) dump_ << dumpHeader();
 
@@ -116,7 +123,7 @@ int PairsCommand::run()
     for (const auto& set : inputs)
       if (!set.pairs.empty()) savePairs(saveFolder_, set);
   for (const auto& set : inputs) match(set);
-  if (!results_.empty()) output_.write(tables());
+  if (!results_.empty()) write(tables());
 
   if (damaged_) return kInputDamaged;
   if (results_.empty()) return kNothingToDo;
@@ -205,6 +212,13 @@ std::vector<Table> PairsCommand::tables() const
   if (std::count_if(results_.begin(), results_.end(), isStatic) > 1)
     add(pooledStaticSets(results_));
   return tables;
+}
+
+void PairsCommand::write(const std::vector<Table>& tables)
+{
+  output_.write(tables);
+  if (html_.is_open())
+    html_ << pairsPage({Machine::present().line(), commandLine()}, tables, results_);
 }
 
 void PairsCommand::countMatches(const PairsRun& run)

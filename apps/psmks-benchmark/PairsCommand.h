@@ -33,6 +33,7 @@ class PairsCommand
   void match(const PairsInput& input);
   void countMatches(const PairsRun& run);
   std::vector<Table> tables() const;
+  void write(const std::vector<Table>& tables);
 
   std::vector<std::string> sets_;
   bool listsSets_ = false;
@@ -43,14 +44,14 @@ class PairsCommand
   std::vector<std::string> guesses_{"zero", "odometry"};
   std::string configPath_;
   std::vector<std::string> assignments_;
-  std::string dumpPath_;
+  std::string dumpPath_, htmlPath_;
   int maxPairs_ = 0;
   double odometrySigma_deg_ = 8;
   PairsBenchmarkOptions options_;
   TableOutput output_;
 
   std::vector<PairsSetResult> results_;
-  std::ofstream dump_;
+  std::ofstream dump_, html_;
   bool damaged_ = false;
   std::size_t matches_ = 0, usableMatches_ = 0;
 };

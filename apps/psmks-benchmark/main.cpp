@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-benchmark/ConvergenceCommand.h>
 #include <apps/psmks-benchmark/ExperimentsCommand.h>
 #include <apps/psmks-benchmark/GrowthCommand.h>
 #include <apps/psmks-benchmark/LogsCommand.h>
@@ -28,6 +29,8 @@ int main(int argc, char** argv)
   app.set_version_flag("--version", "psmks-benchmark " PSMKS_VERSION);
   app.require_subcommand(1);
   CLI::App* pairsApp = app.add_subcommand("pairs", "matchers on files of scan pairs");
+  CLI::App* convergenceApp =
+      app.add_subcommand("convergence", "how far from the truth a match may start");
   CLI::App* logsApp = app.add_subcommand("logs", "matchers on logs of a robot");
   CLI::App* growthApp =
       app.add_subcommand("growth", "how the time of a match grows with the rays of the scans");
@@ -37,6 +40,7 @@ int main(int argc, char** argv)
       app.add_subcommand("experiments", "the paper's experiments on simulated drives");
   CLI::App* matchersApp = app.add_subcommand("matchers", "lists those that can be compared");
   psmks::PairsCommand pairs(*pairsApp);
+  psmks::ConvergenceCommand convergence(*convergenceApp);
   psmks::LogsCommand logs(*logsApp);
   psmks::GrowthCommand growth(*growthApp);
   psmks::SegmentationCommand segmentation(*segmentationApp);
@@ -46,6 +50,7 @@ int main(int argc, char** argv)
   {
     app.parse(argc, argv);
     if (pairsApp->parsed()) return pairs.run();
+    if (convergenceApp->parsed()) return convergence.run();
     if (logsApp->parsed()) return logs.run();
     if (growthApp->parsed()) return growth.run();
     if (matchersApp->parsed()) return listMatchers();

@@ -1,0 +1,54 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/psmks-benchmark/Convergence.h>
+#include <apps/psmks-benchmark/PairsInput.h>
+#include <apps/psmks-benchmark/Pictures.h>
+#include <apps/psmks-benchmark/TableOutput.h>
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** `psmks-benchmark convergence SET...`: success of matchers over the distance of the guess from
+ * the truth, as tables and as one picture a matcher. */
+class ConvergenceCommand
+{
+ public:
+  explicit ConvergenceCommand(CLI::App& app);
+
+  /** @return the program's exit code
+   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
+  int run();
+
+ private:
+  struct SetResult
+  {
+    std::string title;
+    std::vector<ConvergenceMap> maps;  //!< one a matcher
+  };
+
+  PairsInput input(const std::string& argument);
+  void measure(const PairsInput& input);
+  void write();
+  void savePictures();
+  std::string page(const std::vector<Table>& tables) const;
+
+  std::vector<std::string> sets_;
+  int pairs_ = 50;
+  int steps_ = 7;
+  double maxDistance_m_ = 1.5;
+  double maxRotation_deg_ = 60;
+  std::string folder_, htmlPath_;
+  ConvergenceOptions options_;
+  TableOutput output_;
+
+  std::vector<SetResult> results_;
+  std::ofstream html_;
+  std::optional<Pictures> pictures_;
+  bool damaged_ = false;
+};
+}  // namespace psmks
