@@ -6,6 +6,7 @@
 #include <apps/support/Summary.h>
 #include <psmks/eval/Table.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ struct LogRun
   std::string matcher;
   std::string reference;  //!< "sequential", "keyframe" or "map"
   Summary summary;
-  double time_s = 0;  //!< of the whole run, but for reading the log
+  double time_s = std::numeric_limits<double>::infinity();  //!< of the run, but for reading the log
 };
 
 /** Builds the trajectory of a log. Every matcher starts a match where its own trajectory and the

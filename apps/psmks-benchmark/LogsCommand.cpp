@@ -51,6 +51,9 @@ LogsCommand::LogsCommand(CLI::App& app) : matchers_(pairMatcherNames())
   app.add_option("--max-scans", maxScans_, "of each log; 0 = all")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  app.add_option("--repeats", repeats_, "interleaved; times are those of the fastest")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--config", configPath_, "options, as psmks-slam reads them")->type_name("INI");
   app.add_option("--set", assignments_, "one option, over --config")
       ->type_name("SECTION.KEY=VALUE");
@@ -78,20 +81,32 @@ int LogsCommand::run()
   return everyMatchFailed(all) ? kEveryMatchFailed : kOk;
 }
 
-/** The odometry needs no more than one choice of references: it is the same with all. */
 std::vector<LogRun> LogsCommand::runs(const Log& log)
 {
-  std::vector<LogRun> runs;
+  const std::vector<Method> methods = chosenMethods();
+  std::vector<LogRun> runs(methods.size());
   Progress progress(log.title);
-  const auto total = static_cast<double>(matchers_.size() * references_.size());
-  for (const auto& matcher : matchers_)
-    for (const auto& reference : references_)
+  const double total = static_cast<double>(methods.size()) * repeats_;
+  int done = 0;
+  for (int repeat = 0; repeat < repeats_; ++repeat)
+    for (std::size_t m = 0; m < methods.size(); ++m)
     {
-      if (matcher == kNoMatcher && reference != references_.front()) continue;
-      runs.push_back(runLog(log, matcher, reference, options_));
-      progress.show(static_cast<double>(runs.size()) / total);
+      LogRun run = runLog(log, methods[m].first, methods[m].second, options_);
+      if (run.time_s < runs[m].time_s) runs[m] = std::move(run);
+      progress.show(++done / total);
     }
   return runs;
+}
+
+/** The odometry needs no more than one choice of references: it is the same with all. */
+std::vector<LogsCommand::Method> LogsCommand::chosenMethods() const
+{
+  std::vector<Method> methods;
+  for (const auto& matcher : matchers_)
+    for (const auto& reference : references_)
+      if (matcher != kNoMatcher || reference == references_.front())
+        methods.emplace_back(matcher, reference);
+  return methods;
 }
 
 void LogsCommand::setOptions()

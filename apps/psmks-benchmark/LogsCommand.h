@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace psmks
@@ -23,11 +24,14 @@ class LogsCommand
   int run();
 
  private:
+  using Method = std::pair<std::string, std::string>;  //!< matcher and reference
+
   void setOptions();
   std::vector<Log> readLogs();
   Log readLog(const std::string& path);
   std::optional<std::string> groundTruthOf(const std::string& log) const;
   std::vector<LogRun> runs(const Log& log);
+  std::vector<Method> chosenMethods() const;
 
   std::vector<std::string> paths_;
   std::vector<std::string> matchers_;
@@ -36,6 +40,7 @@ class LogsCommand
   std::string configPath_;
   std::vector<std::string> assignments_;
   int maxScans_ = 0;
+  int repeats_ = 1;
   SlamOptions options_;
   TableOutput output_;
   bool damaged_ = false;

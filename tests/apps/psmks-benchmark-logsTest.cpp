@@ -59,7 +59,7 @@ class PsmksBenchmarkLogs : public testing::Test
 
 TEST_F(PsmksBenchmarkLogs, everyMatcherRunsWithEveryReferenceAndTheOdometryOnce)
 {
-  const ProgramRun done = run(log("room") + " --matchers psmks,icp-classic,guess");
+  const ProgramRun done = run(log("room") + " --matchers psmks,icp-classic,guess --repeats 2");
   ASSERT_EQ(done.exitCode, 0) << done.errors;
   EXPECT_EQ(done.errors, "");
   ASSERT_EQ(rows().size(), 7U);
