@@ -7,7 +7,8 @@ namespace psmks
 {
 namespace
 {
-constexpr int kChartWidth_px = 560, kChartHeight_px = 440;
+constexpr int kPanelWidth_px = 500, kPanelHeight_px = 380;
+constexpr int kLegendRow_px = 20;  // of two names beside each other
 
 const char* const kStyle = R"(
 body { font: 16px/1.5 "DejaVu Sans", sans-serif; color: #222; max-width: 1760px; margin: 0 auto;
@@ -19,7 +20,7 @@ table { border-collapse: collapse; font-size: 14px; margin: 1rem 0; }
 caption { text-align: left; font-weight: bold; }
 th, td { padding: 2px 8px; text-align: left; white-space: nowrap; border-bottom: 1px solid #ddd; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
-.charts { display: flex; flex-wrap: wrap; gap: 0.5rem; }
+.charts { display: flex; flex-wrap: wrap; align-items: flex-start; gap: 0.5rem; }
 .charts svg { flex: 1 1 320px; max-width: 560px; width: 100%; height: auto; }
 .drawings { display: grid; grid-template-columns: repeat(auto-fill, minmax(220px, 1fr)); gap: 1rem; }
 figure { margin: 0; break-inside: avoid; }
@@ -41,12 +42,20 @@ const std::string& titleOf(const Panel& panel)
   return std::visit([](const auto& content) -> const std::string& { return content.title; }, panel);
 }
 
+/** Room for the legend of a chart is added, so that the plot is as high with many curves. */
+int heightOf_px(const Panel& panel)
+{
+  const Chart* chart = std::get_if<Chart>(&panel);
+  const int names = chart == nullptr ? 0 : static_cast<int>(chart->series.size());
+  return kPanelHeight_px + (names + 1) / 2 * kLegendRow_px;
+}
+
 std::string drawnChart(const Panel& chart, std::string& reason)
 {
   Figure figure;
   figure.panels = {chart};
-  figure.panelWidth_px = kChartWidth_px;
-  figure.panelHeight_px = kChartHeight_px;
+  figure.panelWidth_px = kPanelWidth_px;
+  figure.panelHeight_px = heightOf_px(chart);
   return inlineSvg(svgText(figure, &reason), titleOf(chart));
 }
 }  // namespace
