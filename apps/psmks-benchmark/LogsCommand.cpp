@@ -63,8 +63,8 @@ LogsCommand::LogsCommand(CLI::App& app) : matchers_(pairMatcherNames())
 int LogsCommand::run()
 {
   setOptions();
-  const std::vector<Log> logs = readLogs();
   output_.open();
+  const std::vector<Log> logs = readLogs();
 
   std::vector<Table> tables;
   std::vector<LogRun> all;
