@@ -4,6 +4,7 @@
 #include <apps/psmks-benchmark/Machine.h>
 #include <apps/psmks-benchmark/report/CommandLine.h>
 #include <apps/psmks-benchmark/report/HtmlPage.h>
+#include <apps/support/Assignment.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 #include <psmks/mrpt/PairMatcher.h>
@@ -34,6 +35,7 @@ ConvergenceCommand::ConvergenceCommand(CLI::App& app)
       ->capture_default_str();
   app.add_option("--seed", options_.seed, "of the directions, and of generated sets")
       ->capture_default_str();
+  app.add_option("--set", assignments_, "one option of psmks")->type_name("SECTION.KEY=VALUE");
   app.add_option("--output", folder_, "where convergence-MATCHER.png go")->type_name("DIR");
   app.add_option("--html", htmlPath_, "write tables and pictures as one page")->type_name("FILE");
   output_.addFlags(app);
@@ -43,6 +45,8 @@ int ConvergenceCommand::run()
 {
   for (const auto& set : sets_)
     if (looksLikeASet(set)) pairFamily(set);
+  OptionTable table = optionTable(options_.matcherOptions);
+  assignOptions(table, assignments_);
   for (const auto& name : options_.matchers) makePairMatcher(name, options_.matcherOptions);
   options_.grid = ConvergenceGrid::even(maxDistance_m_, degToRad(maxRotation_deg_), steps_);
   output_.open();

@@ -42,6 +42,7 @@ class ConvergenceCommand
   int steps_ = 7;
   double maxDistance_m_ = 1.5;
   double maxRotation_deg_ = 60;
+  std::vector<std::string> assignments_;
   std::string folder_, htmlPath_;
   ConvergenceOptions options_;
   TableOutput output_;

@@ -116,11 +116,7 @@ void ExperimentsCommand::setOptions()
 {
   OptionTable table = optionTable(matcherOptions_);
   listFields(table, odometryOptions_);
-  for (const auto& assignment : assignments_)
-  {
-    const auto [section, key, value] = parseAssignment(assignment);
-    table.set(section, key, value);
-  }
+  assignOptions(table, assignments_);
 }
 
 std::vector<DrivePlan> ExperimentsCommand::plans() const

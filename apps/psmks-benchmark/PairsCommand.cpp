@@ -156,11 +156,7 @@ MatcherOptions PairsCommand::matcherOptions() const
       throw CLI::ValidationError("--config", "'" + configPath_ + "' is no file");
     loadOptions(table, mrpt::config::CConfigFile(configPath_), "psmks");
   }
-  for (const auto& assignment : assignments_)
-  {
-    const auto [section, key, value] = parseAssignment(assignment);
-    table.set(section, key, value);
-  }
+  assignOptions(table, assignments_);
   return options;
 }
 

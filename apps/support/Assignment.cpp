@@ -1,6 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/Assignment.h>
-#include <psmks/core/OptionTable.h>
 
 namespace psmks
 {
@@ -10,5 +9,14 @@ Assignment parseAssignment(const std::string& text)
   if (equals == std::string::npos || dot == std::string::npos || dot > equals)
     throw OptionError("'" + text + "' is not SECTION.KEY=VALUE");
   return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1)};
+}
+
+void assignOptions(OptionTable& table, const std::vector<std::string>& assignments)
+{
+  for (const auto& assignment : assignments)
+  {
+    const auto [section, key, value] = parseAssignment(assignment);
+    table.set(section, key, value);
+  }
 }
 }  // namespace psmks

@@ -1,7 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/core/OptionTable.h>
+
 #include <string>
+#include <vector>
 
 namespace psmks
 {
@@ -13,4 +16,8 @@ struct Assignment
 
 /** @throws OptionError that quotes a text of another form */
 Assignment parseAssignment(const std::string& text);
+
+/** Sets one option after the other.
+ *  @throws OptionError for a text of another form, and as OptionTable::set() */
+void assignOptions(OptionTable& table, const std::vector<std::string>& assignments);
 }  // namespace psmks

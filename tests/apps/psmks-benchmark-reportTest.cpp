@@ -86,6 +86,18 @@ TEST_F(PsmksBenchmarkReport, ConvergenceIsTheSameForTheSameSeed)
   EXPECT_TRUE(differs);
 }
 
+TEST_F(PsmksBenchmarkReport, ConvergenceOfAMatcherEndsWhereItsSearchDoes)
+{
+  const auto farOff_percent = [this](const std::string& radius_m)
+  {
+    const json table = convergence("--pairs 3 --max-distance_m 2 --max-rotation_deg 5 --matchers " +
+                                   ("psmks --set joint.search_radius_m=" + radius_m));
+    return table.at("rows").at(0).at("success_at_2_m_percent").get<double>();
+  };
+  EXPECT_EQ(farOff_percent("0.5"), 0);
+  EXPECT_GT(farOff_percent("3"), 50);
+}
+
 TEST_F(PsmksBenchmarkReport, ConvergenceDrawsAPictureForEachMatcher)
 {
   convergence("--pairs 1 --matchers psmks,guess --output " + path("pictures") + " --html " +
@@ -114,6 +126,7 @@ TEST_F(PsmksBenchmarkReport, ConvergenceOfWhatCannotBeAcceptedSaysWhy)
   };
   expectError("moon", 1, "'moon'");
   expectError("L180_medium --matchers nobody", 1, "'nobody'");
+  expectError("L180_medium --set joint.nothing=1", 1, "'nothing'");
   expectError("L180_medium --steps 1", 1, "--steps");
   expectError("L180_medium --html /absent/c.html", 1, "'/absent/c.html' cannot be created");
   expectError("absent.pairs", 2, "absent.pairs");
