@@ -70,6 +70,11 @@ class CircleFinder
   {
     for (int first = 0; first < scan_.rays() && circles_.size() < kMostCircles;)
     {
+      if (const Segment* segment = scan_.segmentAt(first); segment && isLong(*segment))
+      {
+        first = segment->lastRay < first ? scan_.rays() : segment->lastRay + 1;
+        continue;
+      }
       int end = first;
       while (end < scan_.rays() && mayBeRound(end) && (end == first || isJoined(end))) ++end;
       if (end - first >= kFewestRays && !isOneSegment(first, end - 1)) tryRun(first, end - 1);
@@ -85,8 +90,12 @@ class CircleFinder
   {
     if (!scan_.isValid(ray)) return false;
     const Segment* segment = scan_.segmentAt(ray);
-    return !segment ||
-           (segment->lastEnd_m - segment->firstEnd_m).squaredNorm() < kShortWall_m * kShortWall_m;
+    return !segment || !isLong(*segment);
+  }
+
+  static bool isLong(const Segment& segment)
+  {
+    return (segment.lastEnd_m - segment.firstEnd_m).squaredNorm() >= kShortWall_m * kShortWall_m;
   }
 
   bool isJoined(int ray) const

@@ -51,32 +51,29 @@ class PointBlock
 
   void count(const PolarSurface& surface, float tolerance_m, RayCounts& counts) const
   {
+    RayCounts n;
     for (std::size_t i = 0; i < size_; ++i)
     {
-      if (cell_[i] < 0 || !surface.cell(cell_[i]).known)
-        ++counts.unknown;
-      else
-        countKnown(surface.cell(cell_[i]), i, tolerance_m, counts);
+      const int k = cell_[i];
+      if (k < 0 || !surface.known(k))
+      {
+        ++n.unknown;
+        continue;
+      }
+      const PolarSurface::Side* sides = surface.sides(k);
+      const float a_m = sides[0].distance_m(x_[i], y_[i]), b_m = sides[1].distance_m(x_[i], y_[i]);
+      if (std::min(std::fabs(a_m), std::fabs(b_m)) < tolerance_m)
+        ++n.on;
+      else if (std::max(a_m, b_m) < 0)
+        ++(movable_[i] ? n.moved : n.front);
+      else if (std::min(a_m, b_m) > 0)
+        ++(surface.movable(k) ? n.uncovered : n.behind);
+      // Between the near and the far side of a jump anything may stand: such a ray says nothing.
     }
+    counts += n;
   }
 
  private:
-  void countKnown(const PolarSurface::Cell& cell, std::size_t i, float tolerance_m,
-                  RayCounts& counts) const
-  {
-    const float a = cell.nx[0] * x_[i] + cell.ny[0] * y_[i] - cell.d[0];
-    const float b = cell.nx[1] * x_[i] + cell.ny[1] * y_[i] - cell.d[1];
-    const bool on = std::min(std::fabs(a), std::fabs(b)) < tolerance_m;
-    // Between the near and the far side of a jump anything may stand: such a ray says nothing.
-    const bool front = !on && std::max(a, b) < 0, behind = !on && std::min(a, b) > 0;
-    const bool movable = movable_[i] != 0;
-    counts.on += on;
-    counts.front += front && !movable;
-    counts.moved += front && movable;
-    counts.behind += behind && !cell.movable;
-    counts.uncovered += behind && cell.movable;
-  }
-
   float x_[kCapacity], y_[kCapacity];
   int cell_[kCapacity];
   std::uint8_t movable_[kCapacity];

@@ -17,6 +17,8 @@ struct RayCounts
   int uncovered = 0;  //!< behind a free-standing object that may have moved away
   int unknown = 0;    //!< outside the field of view, or where the other scan has no return
 
+  int counted() const { return on + front + behind + moved + uncovered + unknown; }
+
   RayCounts& operator+=(const RayCounts& o)
   {
     on += o.on, front += o.front, behind += o.behind;

@@ -25,23 +25,32 @@ bool joined(const SegmentedScan& scan, int a, int b)
          std::abs(scan.range_m[static_cast<std::size_t>(a)] -
                   scan.range_m[static_cast<std::size_t>(b)]) <= kJump_m;
 }
+/** Flags the object that begins at a ray beyond which nothing near is seen, if it is one. */
+void flagObject(const SegmentedScan& scan, int first, std::vector<std::uint8_t>& movable)
+{
+  int last = first, count = 1;
+  for (int next = scan.grid.neighbour(last, 1); count < scan.rays() && joined(scan, last, next);
+       next = scan.grid.neighbour(last, 1), ++count)
+    last = next;
+  if (!dropsBehind(scan, last, scan.grid.neighbour(last, 1))) return;
+  if ((scan.point_m(first) - scan.point_m(last)).norm() > kWidest_m) return;
+  for (int k = 0; k < count; ++k)
+    movable[static_cast<std::size_t>(scan.grid.neighbour(first, k))] = 1;
+}
 }  // namespace
 
 void findFreeStanding(const SegmentedScan& scan, std::vector<std::uint8_t>& movable)
 {
   movable.assign(static_cast<std::size_t>(scan.rays()), 0);
-  for (int first = 0; first < scan.rays(); ++first)
+  if (scan.rays() == 0) return;
+  if (scan.isValid(0) && dropsBehind(scan, 0, scan.grid.neighbour(0, -1)))
+    flagObject(scan, 0, movable);
+  const double* range_m = scan.range_m.data();  // 0 where invalid
+  for (int first = 1; first < scan.rays(); ++first)
   {
-    const int before = scan.grid.neighbour(first, -1);
-    if (!scan.isValid(first) || !dropsBehind(scan, first, before)) continue;
-    int last = first, count = 1;
-    for (int next = scan.grid.neighbour(last, 1); count < scan.rays() && joined(scan, last, next);
-         next = scan.grid.neighbour(last, 1), ++count)
-      last = next;
-    if (!dropsBehind(scan, last, scan.grid.neighbour(last, 1))) continue;
-    if ((scan.point_m(first) - scan.point_m(last)).norm() > kWidest_m) continue;
-    for (int k = 0; k < count; ++k)
-      movable[static_cast<std::size_t>(scan.grid.neighbour(first, k))] = 1;
+    const double here_m = range_m[first], before_m = range_m[first - 1];
+    const bool drops = (before_m > here_m + kJump_m) | (before_m == 0);
+    if (drops && here_m > 0) flagObject(scan, first, movable);
   }
 }
 }  // namespace psmks

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace psmks
 {
@@ -19,8 +20,11 @@ struct Candidate
   Pose2 T_ref_cur;
   double score = -1;
   int associations = 0;
-  int raysOn = 0;  //!< rays of a scan that lie on surfaces of the other, mean of both
+  double raysOn = 0;  //!< rays of a scan that lie on surfaces of the other, mean of both
   bool converged = false;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  //!< of the scans alone
+  Observability observability;
+  double angleVariance_rad2 = 0;  //!< of the pair of lines whose directions are known best
 };
 
 class JointMatch
@@ -64,13 +68,27 @@ class JointMatch
                                     kRoughTolerance_m, kStride));
   }
 
+  /** Rays of both scans against the surfaces of the other: of scans with many rays every second,
+   * every third, ..., for a share needs no more. */
   RayCounts allCounts(const Pose2& T_ref_cur) const
   {
+    constexpr std::size_t kEnoughRays = 180;
+    const auto strideOf = [&](const RayPoints& points)
+    { return std::max(1, static_cast<int>(points.size() / kEnoughRays)); };
+    const RayPoints &current = buffers_.current.points, &reference = buffers_.reference.points;
     RayCounts counts =
-        countRays(buffers_.current.points, buffers_.reference.surface, T_ref_cur, tolerance_m_);
-    counts += countRays(buffers_.reference.points, buffers_.current.surface, T_ref_cur.inverse(),
-                        tolerance_m_);
+        countRays(current, buffers_.reference.surface, T_ref_cur, tolerance_m_, strideOf(current));
+    counts += countRays(reference, buffers_.current.surface, T_ref_cur.inverse(), tolerance_m_,
+                        strideOf(reference));
     return counts;
+  }
+
+  /** Rays of a scan that lie on surfaces of the other, mean of both scans. */
+  double raysOn(const RayCounts& counts) const
+  {
+    const auto points =
+        static_cast<double>(buffers_.current.points.size() + buffers_.reference.points.size());
+    return 0.5 * points * counts.on / std::max(1, counts.counted());
   }
 
   /** Whether a candidate leaves no doubt: it has settled, its score is high, and lines hold it in
@@ -82,7 +100,21 @@ class JointMatch
     const double enough =
         agreesWithGuess(candidate) ? options_.agreedScore : options_.confidentScore;
     return candidate.converged && candidate.score >= enough &&
-           candidate.associations >= kFewestHeld * candidate.raysOn;
+           candidate.associations >= kFewestHeld * candidate.raysOn &&
+           (guess_.covariance || isPositionFixed(candidate));
+  }
+
+  bool isPositionFixed(const Candidate& candidate) const
+  {
+    return candidate.observability.weakSigma_m <= options_.weakDirectionSigma_m;
+  }
+
+  /** What candidates are compared by. Along a wall poses explain the scans alike wherever they are,
+   * but for a door jamb: one that has found it is worth more than one that slides. */
+  double merit(const Candidate& candidate) const
+  {
+    constexpr double kSliding = 0.02;
+    return candidate.score - (isPositionFixed(candidate) ? 0 : kSliding);
   }
 
   /** Whether the guess was measured and the candidate lies within its 95 % ellipsoid: two witnesses
@@ -121,7 +153,8 @@ class JointMatch
       candidate.associations =
           pairLines(buffers_.reference, buffers_.current, candidate.T_ref_cur, gates, problem);
       if (candidate.associations < options_.minAssociations) break;
-      candidate.converged = solve(problem, candidate.T_ref_cur);
+      candidate.converged =
+          solve(problem, last ? finalLimits() : limitsWithin(gates), candidate.T_ref_cur);
       gates.distance_m /= 2;
       gates.angle_rad /= 2;
     }
@@ -138,11 +171,22 @@ class JointMatch
     return {start, information.asDiagonal()};
   }
 
-  bool solve(const JointProblem& problem, Pose2& T_ref_cur)
+  SolverLimits finalLimits() const
+  {
+    return {options_.maxIterations, options_.stopTranslation_m, options_.stopRotation_rad};
+  }
+
+  /** Before another association, with gates half as wide, a pose need not settle to the end. */
+  SolverLimits limitsWithin(const PairingGates& gates) const
+  {
+    constexpr double kShare = 0.05;
+    return {options_.maxIterations, std::max(options_.stopTranslation_m, kShare * gates.distance_m),
+            std::max(options_.stopRotation_rad, kShare * gates.angle_rad)};
+  }
+
+  bool solve(const JointProblem& problem, const SolverLimits& limits, Pose2& T_ref_cur)
   {
     if (options_.solver == JointSolver::Ceres) return external_->solveJoint(problem, T_ref_cur);
-    const SolverLimits limits{options_.maxIterations, options_.stopTranslation_m,
-                              options_.stopRotation_rad};
     const JointSolution solution = solveByGaussNewton(problem, limits, T_ref_cur);
     result_.iterations += solution.iterations;
     return solution.converged;
@@ -157,7 +201,13 @@ class JointMatch
     if (candidate.associations < options_.minAssociations) return candidate;
     const RayCounts counts = allCounts(candidate.T_ref_cur);
     candidate.score = freeSpaceScore(counts);
-    candidate.raysOn = counts.on / 2;
+    candidate.raysOn = raysOn(counts);
+    candidate.information = linearise(buffers_.problem, candidate.T_ref_cur, false).H;
+    candidate.observability = observability(candidate.information);
+    candidate.angleVariance_rad2 = std::numeric_limits<double>::infinity();
+    for (const LinePairTerm& pair : buffers_.problem.linePairs)
+      candidate.angleVariance_rad2 =
+          std::min(candidate.angleVariance_rad2, pair.angleVariance_rad2);
     result_.times.scoring_s += watch.lap_s();
     return candidate;
   }
@@ -182,9 +232,8 @@ class JointMatch
     if (trace_)
       trace_->steps.push_back(
           {"gauss-newton", candidate.T_ref_cur, candidate.score, candidate.associations, 0});
-    if (candidate.score <= best_.score) return;
+    if (best_.score > 0 && merit(candidate) <= merit(best_)) return;
     best_ = candidate;
-    buffers_.bestProblem = buffers_.problem;  // not swapped: either would go on growing by turns
   }
 
   /** Of starts that explain the scans alike - a square room looks the same four ways - the one
@@ -221,6 +270,62 @@ class JointMatch
       if (hypotheses[i].score < kHopeless * best_.score) break;
       consider(hypotheses[i].T_ref_cur);
     }
+    if (best_.score > 0 && !isConvincing(best_)) slide();
+  }
+
+  /** Along a wall with little else to see, lines leave open where a pose is, and wrong pairs may
+   * hold it anywhere. Single rays then know better: the places along the direction that is known
+   * worst are scored, and those that explain more than the best pose so far, or about as much, are
+   * refined. */
+  void slide()
+  {
+    constexpr double kStep_m = 0.1;
+    Stopwatch watch;
+    const Pose2 start = best_.T_ref_cur;
+    const Eigen::Vector2d step_m = kStep_m * best_.observability.weakDirection;
+    const int reach = static_cast<int>(options_.searchRadius_m / kStep_m);
+    std::vector<Hypothesis>& places = buffers_.hypotheses;
+    places.clear();
+    for (int k = -reach; k <= reach; ++k)
+    {
+      Pose2 T = start;
+      T.x_m += k * step_m.x(), T.y_m += k * step_m.y();
+      places.push_back({T, 0, roughScore(T) - remoteness(T)});
+    }
+    keepPeaks(places);
+    result_.times.search_s += watch.lap_s();
+    for (const Hypothesis& place : places)
+    {
+      if (isConvincing(best_)) return;
+      consider(place.T_ref_cur);
+    }
+  }
+
+  /** Of scores in a row the highest maxima, highest first, without the one in the middle, which is
+   * known. */
+  static void keepPeaks(std::vector<Hypothesis>& row)
+  {
+    constexpr std::size_t kMost = 2;
+    constexpr double kAsGood = 0.05;
+    const std::size_t middle = row.size() / 2;
+    double best = 0;
+    for (const Hypothesis& place : row) best = std::max(best, place.score);
+    const auto notAbove = [&](std::size_t i, double score)
+    { return i >= row.size() || row[i].score <= score; };
+    std::size_t peaks = 0;
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+      const double own = row[i].score;
+      const bool isNew = i + 1 < middle || i > middle + 1;
+      const bool isPeak =
+          isNew && notAbove(i - 1, own) && notAbove(i + 1, own) && own > best - kAsGood;
+      row[i].votes = isPeak;
+      peaks += isPeak;
+    }
+    std::sort(row.begin(), row.end(),
+              [](const Hypothesis& a, const Hypothesis& b)
+              { return a.votes != b.votes ? a.votes > b.votes : a.score > b.score; });
+    row.resize(std::min(peaks, kMost));
   }
 
   // ---- conclusion -----------------------------------------------------------------------------
@@ -237,12 +342,11 @@ class JointMatch
     result_.status = best_.converged ? MatchStatus::Converged : MatchStatus::MaxIterations;
     result_.T_ref_cur = best_.T_ref_cur;
     result_.errorAfter = 1 - best_.score;
-    const NormalEquations known = linearise(buffers_.bestProblem, best_.T_ref_cur, false);
-    settleUnobservable(observability(known.H));
+    settleUnobservable(best_.observability);
     const Eigen::Matrix3d prior = guess_.covariance
                                       ? guess_.covariance->inverse().eval()
                                       : MatchResult::unknownCovariance().inverse().eval();
-    result_.covariance = (known.H + prior).inverse();
+    result_.covariance = (best_.information + prior).inverse();
     if (fewStraightLines() && isHeadingOpen()) leaveHeadingOpen(prior);
     result_.times.scoring_s += watch.lap_s();
     return result_;
@@ -257,9 +361,7 @@ class JointMatch
   bool fewStraightLines() const
   {
     constexpr double kWellKnown_rad = degToRad(0.25);
-    for (const LinePairTerm& pair : buffers_.bestProblem.linePairs)
-      if (pair.angleVariance_rad2 < kWellKnown_rad * kWellKnown_rad) return false;
-    return true;
+    return best_.angleVariance_rad2 >= kWellKnown_rad * kWellKnown_rad;
   }
 
   bool explainsAsMuch(const Candidate& other) const

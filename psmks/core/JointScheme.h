@@ -19,7 +19,7 @@ struct JointBuffers
   MatchView reference, current;
   HypothesisSearch search;
   std::vector<Hypothesis> hypotheses;
-  JointProblem problem, bestProblem;
+  JointProblem problem;
 };
 
 /** Matches two scans by the joint scheme (docs/algorithm.md):

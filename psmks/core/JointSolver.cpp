@@ -55,10 +55,9 @@ RayResidual residualAt(const RayTerm& term, const Motion& T)
 /** Cauchy: rho(s) = k^2 log(1 + s / k^2), weight rho'(s) = 1 / (1 + s / k^2). */
 struct Kernel
 {
-  explicit Kernel(double width) : k2(width * width) {}
-  double cost(double s) const { return k2 * std::log1p(s / k2); }
-  double weight(double s) const { return 1 / (1 + s / k2); }
-  double k2;
+  explicit Kernel(double width) : inverse_k2(1 / (width * width)) {}
+  double weight(double s) const { return 1 / (1 + s * inverse_k2); }
+  double inverse_k2;
 };
 
 /** Adds a pair, whose residual has two parts. */
@@ -71,7 +70,6 @@ void addPair(const Residual& r, const Eigen::Matrix2d& information, const Kernel
   const Eigen::Matrix<double, 3, 2> JtW = r.J.transpose() * W;
   n.H += JtW * r.J;
   n.g -= JtW * r.e;
-  n.cost += 0.5 * kernel.cost(s);
 }
 
 void addPrior(const PriorTerm& prior, const Pose2& T, NormalEquations& n)
@@ -80,7 +78,6 @@ void addPrior(const PriorTerm& prior, const Pose2& T, NormalEquations& n)
                           wrapAngle(T.phi_rad - prior.T_ref_cur.phi_rad));
   n.H += prior.information;
   n.g -= prior.information * e;
-  n.cost += 0.5 * e.dot(prior.information * e);
 }
 
 /** The step that solves H step = g; along directions without information the step is zero. */
@@ -125,7 +122,6 @@ NormalEquations linearise(const JointProblem& problem, const Pose2& T_ref_cur, b
     const double w = kernel.weight(s) * term.information;
     n.H += w * r.J.transpose() * r.J;
     n.g -= w * r.e * r.J.transpose();
-    n.cost += 0.5 * kernel.cost(s);
   }
   if (withPrior && problem.prior) addPrior(*problem.prior, T_ref_cur, n);
   return n;

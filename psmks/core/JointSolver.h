@@ -5,12 +5,11 @@
 
 namespace psmks
 {
-/** J'WJ, -J'We and the cost at a pose; order x, y, phi. */
+/** J'WJ and -J'We at a pose; order x, y, phi. */
 struct NormalEquations
 {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
-  double cost = 0;
 };
 
 /** @param withPrior whether the prior enters */

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/LineSums.h>
+#include <psmks/core/RayColumns.h>
 
 namespace psmks
 {
@@ -16,11 +16,7 @@ class LinearLineFilter
   explicit LinearLineFilter(double sigma_m) : variance_m2_(sigma_m * sigma_m) {}
 
   /** Starts from the sums of a few rays; false where they fix no line. */
-  bool start(const LineSums& seed)
-  {
-    sums_ = seed;
-    return sums_.solve(solution_);
-  }
+  bool start(const LineSums& seed) { return seed.solve(solution_); }
 
   /** Whether the ray's innovation is within `gate` standard deviations. */
   bool accepts(const MeasuredRay& ray, double gate) const
@@ -34,18 +30,36 @@ class LinearLineFilter
     return expected > 0 && innovation * innovation < gate * gate * variance;
   }
 
-  void update(const MeasuredRay& ray)
+  /** A line of many rays hardly changes by one more: it may take a block of rays at once, all held
+   * against the line as it was. The gate stays right, for the variance is that of the older,
+   * slightly less certain line. */
+  static bool takesBlocks(const LineSums& sums)
   {
-    sums_.add(ray);
-    // A line of many rays hardly changes by one more: it is solved anew at every fourth. The gate
-    // stays right, for the variance is that of the older, slightly less certain line.
-    constexpr int kManyRays = 12;
-    if (sums_.rays() < kManyRays || sums_.rays() % 4 == 0) sums_.solve(solution_);
+    constexpr int kManyRays = 8;
+    return sums.rays() >= kManyRays;
   }
+
+  /** Whether every ray of a block is accepted. */
+  bool acceptsBlock(const RayColumns& rays, int position, double gate) const
+  {
+    using Block = RayColumns::Block;
+    const Block cosine = RayColumns::block(rays.cosine, position);
+    const Block sine = RayColumns::block(rays.sine, position);
+    const Block expected = solution_.u0 * cosine + solution_.u1 * sine;
+    const Block line = cosine * (solution_.p00 * cosine + 2 * solution_.p01 * sine) +
+                       solution_.p11 * sine.square();
+    const Block variance = variance_m2_ * (expected.square().square() + line);
+    const Block innovation = RayColumns::block(rays.inverseRange_1_m, position) - expected;
+    const Block spare = gate * gate * variance - innovation.square();
+    return spare.min(expected).minCoeff() > 0;
+  }
+
+  /** @param sums of all rays up to now, with the new ones */
+  void update(const MeasuredRay&, const LineSums& sums) { sums.solve(solution_); }
+  void update(const LineSums& sums) { sums.solve(solution_); }
 
  private:
   double variance_m2_;
-  LineSums sums_;
   LineSums::Solution solution_{};
 };
 
@@ -58,6 +72,7 @@ class PolarLineFilter
   bool start(const LineSums& seed);
   bool accepts(const MeasuredRay& ray, double gate) const;
   void update(const MeasuredRay& ray);
+  void update(const MeasuredRay& ray, const LineSums&) { update(ray); }
 
   /** The state with its covariance. */
   Line line() const;

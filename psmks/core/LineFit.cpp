@@ -1,78 +1,144 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/LineFit.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace psmks
 {
 namespace
 {
-/* Sums over the rays at the line (r0, phi0), with c = cos(b - phi0), s = sin(b - phi0),
- * residual e = r - r0 / c, and the rows
- *     a = d r / d r0   =  1 / c
- *     b = d r / d phi0 = -r0 s / c^2
- *     g = d r / d k    =  (r0 s / c)^2 / c   (a bulge k along^2 of the wall, along = r0 tan) */
+/** Rays side by side: as many as leave all sums in registers. */
+constexpr int kLanes = 2;
+using Lanes = Eigen::Array<double, kLanes, 1>;
+
+/* Sums over the rays at the line (r0, phi0), with c = cos(b - phi0), t = tan(b - phi0), residual
+ * e = r - r0 / c, and the rows
+ *     d r / d r0   =  1 / c
+ *     d r / d phi0 = -r0 t / c
+ *     d r / d k    =  r0^2 t^2 / c    (a bulge k along^2 of the wall, along = r0 t)
+ * all of which are 1/c times a power of t: their products are the moments sum t^k / c^2. */
 struct NormalSums
 {
-  double aa = 0, ab = 0, bb = 0, ae = 0, be = 0, ee = 0;
-  double ag = 0, bg = 0, gg = 0, ge = 0;
+  std::array<double, 5> tt{};  // sum of t^k / c^2
+  std::array<double, 3> te{};  // sum of e t^k / c
+  double ee = 0;
   double lag = 0;  // sum of e of neighbouring rays of the line
   int rays = 0;
 };
 
-NormalSums accumulate(const SegmentedScan& scan, const RayRange& range, const Line& line)
+/** The same lane by lane. */
+struct LaneSums
 {
-  const double c0 = std::cos(line.phi0_rad), s0 = std::sin(line.phi0_rad), r0 = line.r0_m;
-  const double* cosines = scan.grid.cosines();
-  const double* sines = scan.grid.sines();
-  NormalSums sum;
-  double previous = 0;
-  for (int k = 0, ray = range.first; k < range.count; ++k, ++ray)
+  std::array<Lanes, 5> tt;
+  std::array<Lanes, 3> te;
+  Lanes ee, rays;
+  double lag = 0, previous = 0;
+
+  LaneSums()
   {
-    if (ray == scan.rays()) ray = 0;
-    const auto i = static_cast<std::size_t>(ray);
-    if (scan.segmentOfRay[i] != range.mark) continue;
-    const double a = 1 / (cosines[i] * c0 + sines[i] * s0);
-    const double along = r0 * (sines[i] * c0 - cosines[i] * s0) * a;
-    const double b = -along * a;
-    const double g = along * along * a;
-    const double e = scan.range_m[i] - r0 * a;
-    sum.aa += a * a, sum.ab += a * b, sum.bb += b * b, sum.ae += a * e, sum.be += b * e;
-    sum.ee += e * e;
-    sum.ag += a * g, sum.bg += b * g, sum.gg += g * g, sum.ge += g * e;
-    sum.lag += e * previous;
-    previous = e;
-    ++sum.rays;
+    tt.fill(Lanes::Zero()), te.fill(Lanes::Zero());
+    ee = rays = Lanes::Zero();
   }
-  return sum;
+
+  /** @param belongs 1 where a ray counts, else 0 */
+  void add(const Lanes& inverseCosine, const Lanes& t, const Lanes& residual, const Lanes& belongs)
+  {
+    const Lanes a = inverseCosine * belongs, e = residual * belongs;
+    Lanes product = a * a;
+    for (Lanes& sum : tt)
+    {
+      sum += product;
+      product *= t;
+    }
+    product = a * e;
+    for (Lanes& sum : te)
+    {
+      sum += product;
+      product *= t;
+    }
+    ee += e * e;
+    rays += belongs;
+    lag += previous * e[0] + e[0] * e[1];
+    previous = e[1];
+  }
+
+  NormalSums total() const
+  {
+    NormalSums sums;
+    for (std::size_t k = 0; k < tt.size(); ++k) sums.tt[k] = tt[k].sum();
+    for (std::size_t k = 0; k < te.size(); ++k) sums.te[k] = te[k].sum();
+    sums.ee = ee.sum();
+    sums.lag = lag;
+    sums.rays = static_cast<int>(rays.sum());
+    return sums;
+  }
+};
+
+Eigen::Map<const Lanes> lanes(const std::vector<double>& column, int position)
+{
+  return Eigen::Map<const Lanes>(column.data() + position);
+}
+
+Lanes belongs(const RayColumns& rays, int position, const RayRange& range)
+{
+  Lanes result;
+  for (int k = 0; k < kLanes; ++k)
+  {
+    const int p = position + k;
+    result[k] = (p <= range.last) & (rays.mark[static_cast<std::size_t>(p)] == range.mark);
+  }
+  return result;
+}
+
+NormalSums accumulate(const RayColumns& rays, const RayRange& range, const Line& line)
+{
+  const double c0 = std::cos(line.phi0_rad), s0 = std::sin(line.phi0_rad);
+  LaneSums sums;
+  for (int p = range.first; p <= range.last; p += kLanes)
+  {
+    const Lanes cosine = lanes(rays.cosine, p), sine = lanes(rays.sine, p);
+    const Lanes counts = belongs(rays, p, range);
+    // A ray that does not count may have any direction: 1 in place of its cosine.
+    const Lanes inverse = 1 / ((cosine * c0 + sine * s0) * counts + (1 - counts));
+    const Lanes t = (sine * c0 - cosine * s0) * inverse;
+    const Lanes residual = lanes(rays.range_m, p) - line.r0_m * inverse;
+    sums.add(inverse, t, residual, counts);
+  }
+  return sums.total();
 }
 }  // namespace
 
-LineFit fitLine(const SegmentedScan& scan, const RayRange& range, const Line& start, double sigma_m)
+LineFit fitLine(const RayColumns& rays, const RayRange& range, const Line& start, double sigma_m)
 {
   const double variance_m2 = sigma_m * sigma_m;
-  const NormalSums n = accumulate(scan, range, start);
-  const double determinant = n.aa * n.bb - n.ab * n.ab;
+  const NormalSums n = accumulate(rays, range, start);
+  const double r0 = start.r0_m, r2 = r0 * r0;
+  const double aa = n.tt[0], ab = -r0 * n.tt[1], bb = r2 * n.tt[2];
+  const double ae = n.te[0], be = -r0 * n.te[1];
+  const double determinant = aa * bb - ab * ab;
   LineFit fit;
   fit.rays = n.rays;
   if (!(determinant > 0)) return fit;
 
-  const double dr0 = (n.bb * n.ae - n.ab * n.be) / determinant;
-  const double dphi0 = (n.aa * n.be - n.ab * n.ae) / determinant;
+  const double dr0 = (bb * ae - ab * be) / determinant;
+  const double dphi0 = (aa * be - ab * ae) / determinant;
   Eigen::Matrix2d inverse;
-  inverse << n.bb, -n.ab, -n.ab, n.aa;
+  inverse << bb, -ab, -ab, aa;
   fit.line = Line::fromNormalForm(start.r0_m + dr0, start.phi0_rad + dphi0,
                                   inverse * (variance_m2 / determinant));
-  fit.chi2 = std::max(0.0, n.ee - n.ae * dr0 - n.be * dphi0) / variance_m2;
+  fit.chi2 = std::max(0.0, n.ee - ae * dr0 - be * dphi0) / variance_m2;
   fit.whiteness = n.lag / (variance_m2 * std::sqrt(n.rays));
 
   // Schur complement of the quadratic term on (r0, phi0)
-  const double ga = (n.bb * n.ag - n.ab * n.bg) / determinant;
-  const double gb = (n.aa * n.bg - n.ab * n.ag) / determinant;
-  const double information = n.gg - ga * n.ag - gb * n.bg;
+  const double ag = r2 * n.tt[2], bg = -r0 * r2 * n.tt[3], gg = r2 * r2 * n.tt[4];
+  const double ga = (bb * ag - ab * bg) / determinant;
+  const double gb = (aa * bg - ab * ag) / determinant;
+  const double information = gg - ga * ag - gb * bg;
   if (information > 0)
   {
-    fit.curvature_1_m = (n.ge - ga * n.ae - gb * n.be) / information;
+    fit.curvature_1_m = (r2 * n.te[2] - ga * ae - gb * be) / information;
     fit.curvatureSigma_1_m = sigma_m / std::sqrt(information);
   }
   return fit;

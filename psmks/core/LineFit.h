@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/SegmentedScan.h>
+#include <psmks/core/RayColumns.h>
 
 namespace psmks
 {
@@ -19,17 +19,15 @@ struct LineFit
           //!< N(0, 1) on a straight line, large where two lines were taken for one
 };
 
-/** Rays `first`, `first + 1`, ..., `count` of them (wrapping on a closed grid); those whose
- *  `segmentOfRay` equals `mark` belong to the line. */
+/** Positions `first` to `last`; those whose mark equals `mark` belong to the line. */
 struct RayRange
 {
-  int first;
-  int count;
+  int first, last;
   int mark;
 };
 
 /** Least squares of (r0, phi0) over the rays of a range: one Gauss-Newton step from `start`, which
  * the linear filter's line is close enough for (it is off by less than its own sigma), and the
  * tests for curvature (a quadratic term along the line, fitted with it) and whiteness. */
-LineFit fitLine(const SegmentedScan& scan, const RayRange& rays, const Line& start, double sigma_m);
+LineFit fitLine(const RayColumns& rays, const RayRange& range, const Line& start, double sigma_m);
 }  // namespace psmks

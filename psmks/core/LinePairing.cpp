@@ -189,16 +189,15 @@ class Pairing
     const auto x = static_cast<float>(p_m.x()), y = static_cast<float>(p_m.y());
     const int k = view.surface.cellOf(x, y);
     if (k < 0) return -1;
-    const PolarSurface::Cell& cell = view.surface.cell(k);
+    const PolarSurface::Side* sides = view.surface.sides(k);
     int nearest = -1;
     float best_m = static_cast<float>(gates_.distance_m);
     for (int side = 0; side < 2; ++side)
     {
-      if (cell.line[side] < 0) continue;
-      const float d_m = std::fabs(cell.nx[side] * x + cell.ny[side] * y - cell.d[side]);
-      if (d_m >= best_m) continue;
+      const float d_m = std::fabs(sides[side].distance_m(x, y));
+      if (sides[side].line < 0 || d_m >= best_m) continue;
       best_m = d_m;
-      nearest = cell.line[side];
+      nearest = sides[side].line;
     }
     return nearest;
   }
@@ -217,6 +216,7 @@ class Pairing
 void MatchView::build(const SegmentedScan& segmented)
 {
   scan = &segmented;
+  findSingles();
   findFreeStanding(segmented, movable);
   points.build(segmented, movable);
   lines.clear();
@@ -230,9 +230,15 @@ void MatchView::build(const SegmentedScan& segmented)
       lineOfRay[static_cast<std::size_t>(ray)] = static_cast<int>(s);
   appendPatches(segmented, lines, lineOfRay);
   surface.build(segmented, lines, lineOfRay, movable);
+}
+
+void MatchView::findSingles()
+{
   singles.clear();
-  for (int ray = 0; ray < segmented.rays(); ++ray)
-    if (segmented.isValid(ray) && !segmented.segmentAt(ray)) singles.push_back(ray);
+  const std::uint8_t* valid = scan->valid.data();
+  const int* segment = scan->segmentOfRay.data();
+  for (int ray = 0; ray < scan->rays(); ++ray)
+    if (valid[ray] && segment[ray] == SegmentedScan::kNoSegment) singles.push_back(ray);
 }
 
 int pairLines(const MatchView& reference, const MatchView& current, const Pose2& T_ref_cur,

@@ -29,6 +29,9 @@ struct MatchView
 
   /** Keeps a pointer to the scan. */
   void build(const SegmentedScan& segmented);
+
+ private:
+  void findSingles();
 };
 
 /** Gates of an association. */

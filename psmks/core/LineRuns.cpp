@@ -1,11 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/LineFilters.h>
 #include <psmks/core/LineRuns.h>
-#include <psmks/core/ThreeRayTest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace psmks
 {
@@ -21,23 +20,15 @@ constexpr int kLongestGap = 3;
 constexpr int kOutlierMemory = 2;
 }  // namespace
 
-LineRuns::LineRuns(const SegmentationOptions& options, const std::vector<double>& inverseRange_1_m,
-                   SegmentedScan& scan, std::vector<LineRun>& runs)
+LineRuns::LineRuns(const SegmentationOptions& options, double rangeSigma_m, RayColumns& rays,
+                   std::vector<LineRun>& runs)
     : options_(options),
-      inverseRange_1_m_(inverseRange_1_m),
-      scan_(scan),
+      rays_(rays),
       runs_(runs),
-      rays_(scan.rays()),
-      start_(scan.grid.closed() ? strongestBreak(scan, inverseRange_1_m) : 0),
-      variance_m2_(scan.rangeSigma_m * scan.rangeSigma_m)
+      rangeSigma_m_(rangeSigma_m),
+      variance_m2_(rangeSigma_m * rangeSigma_m)
 {
   runs_.clear();
-}
-
-double LineRuns::chi2(const LineSums& sums) const
-{
-  LineSums::Solution s{};
-  return sums.solve(s) ? s.chi2 / variance_m2_ : 0;
 }
 
 // ---- growth ------------------------------------------------------------------------------------
@@ -45,16 +36,16 @@ double LineRuns::chi2(const LineSums& sums) const
 void LineRuns::grow()
 {
   if (options_.filter == LineFilter::Linear)
-    growAll(LinearLineFilter(scan_.rangeSigma_m));
+    growAll(LinearLineFilter(rangeSigma_m_));
   else
-    growAll(PolarLineFilter(scan_.rangeSigma_m));
+    growAll(PolarLineFilter(rangeSigma_m_));
 }
 
 template <class Filter>
 void LineRuns::growAll(const Filter& fresh)
 {
   int free = 0;  // first position after the last line
-  for (int p = 0; p + options_.seedRays <= rays_; ++p)
+  for (int p = 0; p + options_.seedRays <= rays_.rays; ++p)
   {
     LineSums seed;
     Filter filter = fresh;
@@ -62,7 +53,7 @@ void LineRuns::growAll(const Filter& fresh)
     const int index = static_cast<int>(runs_.size());
     LineRun run{p, p + options_.seedRays - 1, seed};
     reassign(run.first, run.last, SegmentedScan::kNoSegment, index);
-    run.last = growSide(filter, run, index, run.last, 1, rays_ - 1);
+    run.last = growSide(filter, run, index, run.last, 1, rays_.rays - 1);
     run.first = growSide(filter, run, index, run.first, -1, free);
     dropOutlyingStart(filter, run);
     runs_.push_back(run);
@@ -75,10 +66,10 @@ void LineRuns::growAll(const Filter& fresh)
 template <class Filter>
 void LineRuns::dropOutlyingStart(const Filter& grown, LineRun& run)
 {
-  const MeasuredRay ray = measured(run.first);
-  if (run.sums.rays() <= options_.seedRays || grown.accepts(ray, options_.innovationGate)) return;
+  if (run.sums.rays() <= options_.seedRays) return;
+  if (grown.accepts(rays_.measured(run.first), options_.innovationGate)) return;
   mark(run.first) = SegmentedScan::kNoSegment;
-  run.sums.remove(ray);
+  run.sums.removeMoments(moments(run.first));
   do ++run.first;
   while (mark(run.first) == SegmentedScan::kNoSegment);
 }
@@ -88,8 +79,8 @@ bool LineRuns::seedAt(int position, LineSums& sums) const
 {
   for (int p = position; p < position + options_.seedRays; ++p)
   {
-    if (!valid(p)) return false;
-    sums.add(measured(p));
+    if (!rays_.valid(p)) return false;
+    sums.addMoments(moments(p));
   }
   // About the 0.998 quantile of chi2 for the one to four degrees of freedom of a seed.
   const double gate = options_.innovationGate;
@@ -108,16 +99,23 @@ int LineRuns::growSide(Filter& filter, LineRun& run, int index, int from, int st
   Filter filterBeforeOutlier = filter;
   for (int p = from + step; p != limit + step && hole <= kLongestHole; p += step)
   {
-    if (!valid(p))
+    if (takeBlock(filter, run, index, p, step, limit))
+    {
+      last = p += step * (RayColumns::kBlock - 1);
+      sinceOutlier += RayColumns::kBlock;
+      hole = 0;
+      continue;
+    }
+    if (!rays_.valid(p))
     {
       ++hole;
       continue;
     }
     hole = 0;
-    if (const MeasuredRay ray = measured(p); filter.accepts(ray, options_.innovationGate))
+    if (const MeasuredRay ray = rays_.measured(p); filter.accepts(ray, options_.innovationGate))
     {
-      filter.update(ray);
-      run.sums.add(ray);
+      run.sums.addMoments(moments(p));
+      filter.update(ray, run.sums);
       mark(p) = index;
       last = p;
       ++sinceOutlier;
@@ -137,6 +135,24 @@ int LineRuns::growSide(Filter& filter, LineRun& run, int index, int from, int st
     sinceOutlier = 0;
   }
   return last;
+}
+
+/** Grows a line by the block of rays that comes next, if it accepts all of them. */
+template <class Filter>
+bool LineRuns::takeBlock(Filter& filter, LineRun& run, int index, int from, int step, int limit)
+{
+  if constexpr (std::is_same_v<Filter, LinearLineFilter>)
+  {
+    constexpr int kOthers = RayColumns::kBlock - 1;
+    if (!filter.takesBlocks(run.sums) || (limit - from) * step < kOthers) return false;
+    const int first = std::min(from, from + step * kOthers);
+    if (!filter.acceptsBlock(rays_, first, options_.innovationGate)) return false;
+    run.sums.addMoments(&moments(first), RayColumns::kBlock);
+    filter.update(run.sums);
+    std::fill_n(&mark(first), RayColumns::kBlock, index);
+    return true;
+  }
+  return false;
 }
 
 /** Changes the mark of the rays between two positions (both included) that carry `from`. */
@@ -175,23 +191,23 @@ void LineRuns::contest(int leftIndex, int rightIndex)
   for (int p = begin; p < end; ++p)
     if (mark(p) == leftIndex)
     {
-      l.remove(measured(p));
-      r.add(measured(p));
+      l.removeMoments(moments(p));
+      r.addMoments(moments(p));
     }
   if (l.rays() < 2) return;
 
   // ... and handed over to the left line one by one.
   int bestSplit = begin;
-  double best = chi2(l) + chi2(r);
+  double best_m2 = l.chi2_m2() + r.chi2_m2();
   LineSums bestLeft = l, bestRight = r;
   for (int p = begin; p < end; ++p)
   {
     if (!contested(p)) continue;
-    l.add(measured(p));
-    r.remove(measured(p));
-    const double sum = chi2(l) + chi2(r);
-    if (sum >= best) continue;
-    best = sum;
+    l.addMoments(moments(p));
+    r.removeMoments(moments(p));
+    const double sum_m2 = l.chi2_m2() + r.chi2_m2();
+    if (sum_m2 >= best_m2) continue;
+    best_m2 = sum_m2;
     bestSplit = p + 1;
     bestLeft = l;
     bestRight = r;
@@ -231,8 +247,8 @@ bool LineRuns::cut(const LineRun& run, int runMark, LineRun& left, LineRun& righ
   for (int p = run.first; p < run.last && r.rays() > options_.seedRays; ++p)
   {
     if (mark(p) != runMark) continue;
-    l.add(measured(p));
-    r.remove(measured(p));
+    l.addMoments(moments(p));
+    r.removeMoments(moments(p));
     if (l.rays() < options_.seedRays) continue;
     const double sum = chi2(l) + chi2(r);
     if (sum >= best) continue;

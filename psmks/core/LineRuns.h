@@ -1,9 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/LineSums.h>
+#include <psmks/core/RayColumns.h>
 #include <psmks/core/SegmentationOptions.h>
-#include <psmks/core/SegmentedScan.h>
 
 #include <vector>
 
@@ -18,18 +17,15 @@ struct LineRun
 
 /** The lines of a scan while they are made: grown, contested and merged.
  *
- * Rays are counted by position: 0 is the first ray of an open scan, and the ray at the strongest
- * break of a closed one, so that no wall is cut by the seam. A ray that belongs to run k carries
- * the mark k in `scan.segmentOfRay`; runs stand in the order of their positions and do not overlap.
- */
+ * Rays are counted by position, see RayColumns. A ray that belongs to run k carries the mark k;
+ * runs stand in the order of their positions and do not overlap. */
 class LineRuns
 {
  public:
-  /** @param scan cleaned, with its range sigma settled and no ray marked
-   *  @param inverseRange_1_m 1/r of the valid rays
+  /** @param rays of a cleaned scan, with their moments and no mark; marked here
    *  @param runs storage; what it held is replaced */
-  LineRuns(const SegmentationOptions& options, const std::vector<double>& inverseRange_1_m,
-           SegmentedScan& scan, std::vector<LineRun>& runs);
+  LineRuns(const SegmentationOptions& options, double rangeSigma_m, RayColumns& rays,
+           std::vector<LineRun>& runs);
 
   /** Lines grown from seeds by the filter the options choose (paper, section 2: Kalman
    *  Segmentation). */
@@ -50,18 +46,13 @@ class LineRuns
    *  @param mark of the run's rays; both parts keep it */
   bool cut(const LineRun& run, int mark, LineRun& left, LineRun& right) const;
 
-  /** Ray index of a position. */
-  int ray(int position) const
-  {
-    const int i = start_ + position;
-    return i < rays_ ? i : i - rays_;
-  }
-
  private:
   template <class Filter>
   void growAll(const Filter& fresh);
   template <class Filter>
   int growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit);
+  template <class Filter>
+  bool takeBlock(Filter& filter, LineRun& run, int index, int from, int step, int limit);
   template <class Filter>
   void dropOutlyingStart(const Filter& grown, LineRun& run);
   bool seedAt(int position, LineSums& sums) const;
@@ -71,23 +62,17 @@ class LineRuns
   bool collinear(const LineRun& left, const LineRun& right) const;
   void reassign(int firstPosition, int lastPosition, int from, int to);
 
-  std::size_t at(int position) const { return static_cast<std::size_t>(ray(position)); }
-  bool valid(int position) const { return scan_.valid[at(position)] != 0; }
-  int& mark(int position) { return scan_.segmentOfRay[at(position)]; }
-  int mark(int position) const { return scan_.segmentOfRay[at(position)]; }
-  MeasuredRay measured(int position) const
+  int& mark(int position) { return rays_.mark[static_cast<std::size_t>(position)]; }
+  int mark(int position) const { return rays_.mark[static_cast<std::size_t>(position)]; }
+  const LineSums::Moments& moments(int position) const
   {
-    const std::size_t i = at(position);
-    return {scan_.grid.cosines()[i], scan_.grid.sines()[i], scan_.range_m[i], inverseRange_1_m_[i]};
+    return rays_.moments[static_cast<std::size_t>(position)];
   }
-  double chi2(const LineSums& sums) const;
+  double chi2(const LineSums& sums) const { return sums.chi2_m2() / variance_m2_; }
 
   const SegmentationOptions& options_;
-  const std::vector<double>& inverseRange_1_m_;
-  SegmentedScan& scan_;
+  RayColumns& rays_;
   std::vector<LineRun>& runs_;
-  int rays_;
-  int start_;
-  double variance_m2_;
+  double rangeSigma_m_, variance_m2_;
 };
 }  // namespace psmks

@@ -4,7 +4,7 @@
 #include <psmks/core/Line.h>
 
 #include <Eigen/Core>
-#include <optional>
+#include <algorithm>
 
 namespace psmks
 {
@@ -30,13 +30,47 @@ struct MeasuredRay
 class LineSums
 {
  public:
-  void add(const MeasuredRay& ray) { accumulate(ray, 1); }
-  void remove(const MeasuredRay& ray) { accumulate(ray, -1); }
+  /** What one ray adds to M (three entries), v (two) and q. */
+  using Moments = Eigen::Array<double, 6, 1>;
+
+  static Moments moments(double cosine, double sine, double range_m)
+  {
+    const double r2 = range_m * range_m, wOverR = r2 * range_m;
+    const double wc = r2 * r2 * cosine, ws = r2 * r2 * sine;
+    Moments m;
+    m << wc * cosine, wc * sine, ws * sine, wOverR * cosine, wOverR * sine, r2;
+    return m;
+  }
+  static Moments moments(const MeasuredRay& ray)
+  {
+    return moments(ray.cosine, ray.sine, ray.range_m);
+  }
+
+  void add(const MeasuredRay& ray) { addMoments(moments(ray)); }
+  void remove(const MeasuredRay& ray) { removeMoments(moments(ray)); }
+
+  void addMoments(const Moments& ray)
+  {
+    sums_ += ray;
+    ++rays_;
+  }
+  void removeMoments(const Moments& ray)
+  {
+    sums_ -= ray;
+    --rays_;
+  }
+
+  /** Adds consecutive rays. */
+  void addMoments(const Moments* rays, int count)
+  {
+    for (int k = 0; k < count; ++k) sums_ += rays[k];
+    rays_ += count;
+  }
 
   LineSums& operator+=(const LineSums& other)
   {
-    m00_ += other.m00_, m01_ += other.m01_, m11_ += other.m11_;
-    v0_ += other.v0_, v1_ += other.v1_, q_ += other.q_, rays_ += other.rays_;
+    sums_ += other.sums_;
+    rays_ += other.rays_;
     return *this;
   }
 
@@ -76,30 +110,32 @@ class LineSums
   /** False where the rays do not fix a line (fewer than two directions). */
   bool solve(Solution& s) const
   {
-    const double determinant = m00_ * m11_ - m01_ * m01_;
-    // The smallest determinant two distinct rays leave: (w1 w2 sin^2) against rounding of w1 w2.
-    if (!(determinant > 1e-12 * m00_ * m11_) || rays_ < 2) return false;
+    const double m00 = sums_[0], m01 = sums_[1], m11 = sums_[2], v0 = sums_[3], v1 = sums_[4];
+    const double determinant = m00 * m11 - m01 * m01;
+    if (!(determinant > kSmallestDeterminant * m00 * m11) || rays_ < 2) return false;
     const double inverse = 1 / determinant;
-    s.p00 = m11_ * inverse, s.p01 = -m01_ * inverse, s.p11 = m00_ * inverse;
-    s.u0 = s.p00 * v0_ + s.p01 * v1_;
-    s.u1 = s.p01 * v0_ + s.p11 * v1_;
-    s.chi2 = std::max(0.0, q_ - (v0_ * s.u0 + v1_ * s.u1));
+    s.p00 = m11 * inverse, s.p01 = -m01 * inverse, s.p11 = m00 * inverse;
+    s.u0 = s.p00 * v0 + s.p01 * v1;
+    s.u1 = s.p01 * v0 + s.p11 * v1;
+    s.chi2 = std::max(0.0, sums_[5] - (v0 * s.u0 + v1 * s.u1));
     return true;
   }
 
- private:
-  void accumulate(const MeasuredRay& ray, int sign)
+  /** The residual sum of squares alone, m^2; 0 where the rays do not fix a line. */
+  double chi2_m2() const
   {
-    const double r2 = ray.range_m * ray.range_m;
-    const double w = sign * r2 * r2, wOverR = sign * r2 * ray.range_m;
-    const double wc = w * ray.cosine, ws = w * ray.sine;
-    m00_ += wc * ray.cosine, m01_ += wc * ray.sine, m11_ += ws * ray.sine;
-    v0_ += wOverR * ray.cosine, v1_ += wOverR * ray.sine;
-    q_ += sign * r2;
-    rays_ += sign;
+    const double m00 = sums_[0], m01 = sums_[1], m11 = sums_[2], v0 = sums_[3], v1 = sums_[4];
+    const double determinant = m00 * m11 - m01 * m01;
+    if (!(determinant > kSmallestDeterminant * m00 * m11) || rays_ < 2) return 0;
+    const double explained = m11 * v0 * v0 - 2 * m01 * v0 * v1 + m00 * v1 * v1;
+    return std::max(0.0, sums_[5] - explained / determinant);
   }
 
-  double m00_ = 0, m01_ = 0, m11_ = 0, v0_ = 0, v1_ = 0, q_ = 0;
+ private:
+  // What two distinct rays leave, (w1 w2 sin^2), against rounding of w1 w2.
+  static constexpr double kSmallestDeterminant = 1e-12;
+
+  Moments sums_ = Moments::Zero();
   int rays_ = 0;
 };
 }  // namespace psmks

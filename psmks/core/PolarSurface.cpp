@@ -5,23 +5,6 @@
 
 namespace psmks
 {
-namespace
-{
-/** Side 0 or 1 of a cell: the line of the ray, else the tangent of the circle through its end
- * point. */
-void setSide(PolarSurface::Cell& cell, int side, const SegmentedScan& scan, int ray,
-             const std::vector<AnchoredLine>& lines, const std::vector<int>& lineOfRay)
-{
-  const auto i = static_cast<std::size_t>(ray);
-  const int line = lineOfRay[i];
-  const AnchoredLine* l = line < 0 ? nullptr : &lines[static_cast<std::size_t>(line)];
-  cell.nx[side] = static_cast<float>(l ? l->normal.x() : scan.grid.cosines()[i]);
-  cell.ny[side] = static_cast<float>(l ? l->normal.y() : scan.grid.sines()[i]);
-  cell.d[side] = static_cast<float>(l ? l->distance_m : scan.range_m[i]);
-  cell.line[side] = line;
-}
-}  // namespace
-
 void PolarSurface::build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
                          const std::vector<int>& lineOfRay,
                          const std::vector<std::uint8_t>& movableRays)
@@ -34,16 +17,39 @@ void PolarSurface::build(const SegmentedScan& scan, const std::vector<AnchoredLi
       wrapAngle(scan.grid.firstBearing_rad() + centreIndex_ * scan.grid.increment_rad()));
   raysPerRadian_ = static_cast<float>(1 / scan.grid.increment_rad());
 
-  storage_.resize(static_cast<std::size_t>(cells_));
-  for (int k = 0; k < cells_; ++k)
-  {
-    Cell& cell = storage_[static_cast<std::size_t>(k)];
-    const int next = k + 1 == rays ? 0 : k + 1;
-    cell.known = scan.isValid(k) && scan.isValid(next);
-    cell.movable =
-        movableRays[static_cast<std::size_t>(k)] && movableRays[static_cast<std::size_t>(next)];
-    setSide(cell, 0, scan, k, lines, lineOfRay);
-    setSide(cell, 1, scan, next, lines, lineOfRay);
-  }
+  lineSides_.resize(lines.size());
+  for (std::size_t l = 0; l < lines.size(); ++l)
+    lineSides_[l] = {static_cast<float>(lines[l].normal.x()),
+                     static_cast<float>(lines[l].normal.y()),
+                     static_cast<float>(lines[l].distance_m), static_cast<int>(l)};
+
+  const auto size = static_cast<std::size_t>(rays);
+  sides_.resize(size + 1);
+  Side* side = sides_.data();
+  const Side* ofLine = lineSides_.data();
+  for (std::size_t i = 0; i < size; ++i)
+    side[i] = lineOfRay[i] >= 0 ? ofLine[lineOfRay[i]] : roundSide(scan, i);
+  sides_[size] = sides_[0];
+  flagCells(scan.valid, movableRays);
+}
+
+/** The tangent of the circle through the end point of a ray without a line. */
+PolarSurface::Side PolarSurface::roundSide(const SegmentedScan& scan, std::size_t ray)
+{
+  return {static_cast<float>(scan.grid.cosines()[ray]), static_cast<float>(scan.grid.sines()[ray]),
+          static_cast<float>(scan.range_m[ray]), -1};
+}
+
+void PolarSurface::flagCells(const std::vector<std::uint8_t>& valid,
+                             const std::vector<std::uint8_t>& movable)
+{
+  const std::size_t rays = valid.size();
+  flags_.resize(rays + 1);
+  const std::uint8_t *returned = valid.data(), *moves = movable.data();
+  std::uint8_t* flag = flags_.data();
+  for (std::size_t i = 0; i < rays; ++i)
+    flag[i] = static_cast<std::uint8_t>((returned[i] != 0) * kKnown | (moves[i] != 0) * kMovable);
+  flag[rays] = flag[0];
+  for (std::size_t k = 0; k < rays; ++k) flag[k] &= flag[k + 1];
 }
 }  // namespace psmks

@@ -20,25 +20,32 @@ namespace psmks
 class PolarSurface
 {
  public:
-  /** The surfaces on both sides of a bearing. Distances are n.p - d: negative in front of the
-   * surface, seen from the scanner. */
-  struct Cell
+  /** One surface. Distances are n.p - d: negative in front of it, seen from the scanner. */
+  struct Side
   {
-    float nx[2], ny[2], d[2];
-    int line[2];   //!< index into the lines it was built with, or -1
-    bool known;    //!< both rays returned
-    bool movable;  //!< both sides are a free-standing small object
+    float nx, ny, d;
+    int line;  //!< index into the lines it was built with, or -1
+
+    float distance_m(float x, float y) const { return nx * x + ny * y - d; }
   };
 
   /** @param lines of segments and patches
    *  @param lineOfRay index into lines of every ray, or -1
    *  @param movableRays one flag per ray, see findFreeStanding()
-   *  Refers to none of them afterwards. Allocates only when the number of rays grows. */
+   *  Refers to none of them afterwards. Allocates only when the number of rays or lines grows. */
   void build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
              const std::vector<int>& lineOfRay, const std::vector<std::uint8_t>& movableRays);
 
   int cells() const { return cells_; }
-  const Cell& cell(int k) const { return storage_[static_cast<std::size_t>(k)]; }
+
+  /** The surfaces of the rays on both sides of a cell: elements 0 and 1. */
+  const Side* sides(int k) const { return sides_.data() + k; }
+
+  /** Whether both rays of a cell returned. */
+  bool known(int k) const { return flags_[static_cast<std::size_t>(k)] & kKnown; }
+
+  /** Whether both sides of a cell are a free-standing small object. */
+  bool movable(int k) const { return flags_[static_cast<std::size_t>(k)] & kMovable; }
 
   /** Index of the cell that holds the direction of a point; -1 outside the field of view. */
   int cellOf(float x, float y) const
@@ -53,9 +60,16 @@ class PolarSurface
   }
 
  private:
+  static Side roundSide(const SegmentedScan& scan, std::size_t ray);
+  void flagCells(const std::vector<std::uint8_t>& valid, const std::vector<std::uint8_t>& movable);
+
   static constexpr float kPiF = 3.14159265359f;
 
-  std::vector<Cell> storage_;
+  static constexpr std::uint8_t kKnown = 1, kMovable = 2;
+
+  std::vector<Side> sides_;          //!< one per ray; on a closed grid the first again at the end
+  std::vector<Side> lineSides_;      //!< one per line
+  std::vector<std::uint8_t> flags_;  //!< one per cell
   int cells_ = 0;
   bool closed_ = false;
   float centre_rad_ = 0, centreIndex_ = 0, raysPerRadian_ = 1;

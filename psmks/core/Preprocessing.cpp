@@ -18,6 +18,16 @@ double upperLimit_m(const Scan& scan, const PreprocessingOptions& options)
   if (options.maxRange_m > 0) limit_m = std::min(limit_m, options.maxRange_m);
   return limit_m;
 }
+
+void dropFlagged(const std::vector<std::uint8_t>& valid, SegmentedScan& result)
+{
+  for (std::size_t i = 0; i < valid.size(); ++i)
+  {
+    if (valid[i]) continue;
+    result.valid[i] = 0;
+    result.range_m[i] = 0;
+  }
+}
 }  // namespace
 
 void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedScan& result)
@@ -35,14 +45,16 @@ void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedS
 
   const double lower_m = std::max(kNearest_m, options.minRange_m);
   const double upper_m = upperLimit_m(scan, options);
-  const bool flagged = scan.valid.size() == rays;
+  const double* read_m = scan.range_m.data();
+  double* range_m = result.range_m.data();
+  std::uint8_t* valid = result.valid.data();
   for (std::size_t i = 0; i < rays; ++i)
   {
-    const double r = scan.range_m[i];
-    const bool valid = r > lower_m && r < upper_m && (!flagged || scan.valid[i]);  // false for NaN
-    result.valid[i] = valid;
-    if (valid) result.range_m[i] = r;
+    const bool within = (read_m[i] > lower_m) & (read_m[i] < upper_m);  // false for NaN
+    valid[i] = within;
+    range_m[i] = within ? read_m[i] : 0;
   }
+  if (scan.valid.size() == rays) dropFlagged(scan.valid, result);
 }
 
 void medianFilter(int window, std::vector<double>& scratch, SegmentedScan& scan)

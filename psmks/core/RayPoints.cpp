@@ -6,15 +6,30 @@ namespace psmks
 void RayPoints::build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays)
 {
   const auto rays = static_cast<std::size_t>(scan.rays());
-  x_m.resize(rays), y_m.resize(rays), movable.resize(rays);
-  std::size_t n = 0;
+  x_m.resize(rays), y_m.resize(rays);
+  movable = movableRays;
+  movable.resize(rays, 0);
+  const double *range_m = scan.range_m.data(), *cosines = scan.grid.cosines(),
+               *sines = scan.grid.sines();
+  float *x = x_m.data(), *y = y_m.data();
   for (std::size_t i = 0; i < rays; ++i)
   {
-    // Written in any case, kept only where valid.
-    x_m[n] = static_cast<float>(scan.range_m[i] * scan.grid.cosines()[i]);
-    y_m[n] = static_cast<float>(scan.range_m[i] * scan.grid.sines()[i]);
-    movable[n] = movableRays.empty() ? std::uint8_t{0} : movableRays[i];
-    n += scan.valid[i] != 0;
+    x[i] = static_cast<float>(range_m[i] * cosines[i]);
+    y[i] = static_cast<float>(range_m[i] * sines[i]);
+  }
+  keepValid(scan.valid);
+}
+
+/** Moves the points of valid rays together. */
+void RayPoints::keepValid(const std::vector<std::uint8_t>& valid)
+{
+  std::size_t n = 0;
+  while (n < valid.size() && valid[n]) ++n;
+  for (std::size_t i = n; i < valid.size(); ++i)
+  {
+    if (!valid[i]) continue;
+    x_m[n] = x_m[i], y_m[n] = y_m[i], movable[n] = movable[i];
+    ++n;
   }
   x_m.resize(n), y_m.resize(n), movable.resize(n);
 }

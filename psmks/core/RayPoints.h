@@ -18,5 +18,8 @@ struct RayPoints
   void build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays = {});
 
   std::size_t size() const { return x_m.size(); }
+
+ private:
+  void keepValid(const std::vector<std::uint8_t>& valid);
 };
 }  // namespace psmks

@@ -14,58 +14,54 @@ namespace
 {
 constexpr int kEkfStartRays = 9;
 
-void invertRanges(const SegmentedScan& scan, std::vector<double>& inverseRange_1_m)
-{
-  inverseRange_1_m.resize(scan.range_m.size());
-  for (std::size_t i = 0; i < inverseRange_1_m.size(); ++i)
-    inverseRange_1_m[i] = scan.valid[i] ? 1 / scan.range_m[i] : 0;
-}
-
 /** The sigma that is used: the scan's or the option's, raised to what the scan itself shows where
  * that is clearly more. */
-double settledSigma_m(const Scan& scan, const SegmentationOptions& options,
-                      const SegmentedScan& cleaned, SegmentationBuffers& buffers)
+double settledSigma_m(const Scan& scan, const SegmentationOptions& options, const RayColumns& rays,
+                      std::vector<double>& scratch)
 {
   constexpr double kClearlyMore = 1.6;
   constexpr double kLargest_m = 0.08;  // beyond, it is clutter and not noise
   const double stated_m = scan.rangeSigma_m > 0 ? scan.rangeSigma_m : options.rangeSigma_m;
-  if (!options.estimateRangeSigma) return stated_m;
-  const double shown_m = estimateRangeSigma_m(cleaned, buffers.inverseRange_1_m, buffers.scratch);
-  return shown_m > kClearlyMore * stated_m ? std::min(shown_m, std::max(stated_m, kLargest_m))
-                                           : stated_m;
+  const double clear_m = kClearlyMore * stated_m;
+  if (!options.estimateRangeSigma || !mayShowNoiseAbove(rays, clear_m)) return stated_m;
+  const double shown_m = estimateRangeSigma_m(rays, scratch);
+  return shown_m > clear_m ? std::min(shown_m, std::max(stated_m, kLargest_m)) : stated_m;
+}
+
+/** The line of the marked rays by the paper's filter, or `otherwise` where it does not start. It
+ * linearises at its estimate: it starts from as many rays as the paper's authors take for a seed,
+ * or from all of a shorter line. */
+Line extendedFilterLine(const RayColumns& rays, const RayRange& range, int count, double sigma_m,
+                        const Line& otherwise)
+{
+  const int startRays = std::min(kEkfStartRays, count);
+  PolarLineFilter filter(sigma_m);
+  LineSums seed;
+  bool started = false;
+  for (int p = range.first; p <= range.last; ++p)
+  {
+    if (rays.mark[static_cast<std::size_t>(p)] != range.mark) continue;
+    if (started)
+    {
+      filter.update(rays.measured(p));
+      continue;
+    }
+    seed.add(rays.measured(p));
+    started = seed.rays() >= startRays && filter.start(seed);
+  }
+  return started ? filter.line() : otherwise;
 }
 
 /** The line of a run's rays by the filter that the options choose. */
-LineFit fitRun(const SegmentedScan& scan, const RayRange& rays, const LineSums& sums,
+LineFit fitRun(const RayColumns& rays, const LineRun& run, int mark, double sigma_m,
                const SegmentationOptions& options)
 {
   LineSums::Solution s{};
-  if (!sums.solve(s)) return {};
-  LineFit fit =
-      fitLine(scan, rays, s.line(scan.rangeSigma_m * scan.rangeSigma_m), scan.rangeSigma_m);
-  if (options.filter == LineFilter::Linear) return fit;
-
-  // The extended filter linearises at its estimate: it starts from as many rays as the paper's
-  // authors take for a seed, or from all of a shorter line.
-  const int startRays = std::min(kEkfStartRays, sums.rays());
-  PolarLineFilter filter(scan.rangeSigma_m);
-  LineSums seed;
-  bool started = false;
-  for (int k = 0, ray = rays.first; k < rays.count; ++k, ray = (ray + 1) % scan.rays())
-  {
-    const auto i = static_cast<std::size_t>(ray);
-    if (scan.segmentOfRay[i] != rays.mark) continue;
-    const MeasuredRay measured{scan.grid.cosines()[i], scan.grid.sines()[i], scan.range_m[i],
-                               1 / scan.range_m[i]};
-    if (started)
-    {
-      filter.update(measured);
-      continue;
-    }
-    seed.add(measured);
-    started = seed.rays() >= startRays && filter.start(seed);
-  }
-  if (started) fit.line = filter.line();
+  if (!run.sums.solve(s)) return {};
+  const RayRange range{run.first, run.last, mark};
+  LineFit fit = fitLine(rays, range, s.line(sigma_m * sigma_m), sigma_m);
+  if (options.filter == LineFilter::Ekf)
+    fit.line = extendedFilterLine(rays, range, run.sums.rays(), sigma_m, fit.line);
   return fit;
 }
 
@@ -125,8 +121,9 @@ Segment makeSegment(const LineFit& fit, int firstRay, int lastRay, const Segment
 class Finish
 {
  public:
-  Finish(const LineRuns& lines, const SegmentationOptions& options, SegmentedScan& scan)
-      : lines_(lines), options_(options), scan_(scan)
+  Finish(const LineRuns& lines, const SegmentationOptions& options, RayColumns& rays,
+         SegmentedScan& scan)
+      : lines_(lines), options_(options), rays_(rays), scan_(scan)
   {
   }
 
@@ -141,8 +138,7 @@ class Finish
   void finish(const LineRun& run, int mark)
   {
     constexpr double kNotWhite = 2.5;
-    const RayRange rays{lines_.ray(run.first), run.last - run.first + 1, mark};
-    const LineFit fit = fitRun(scan_, rays, run.sums, options_);
+    const LineFit fit = fitRun(rays_, run, mark, scan_.rangeSigma_m, options_);
     LineRun left, right;
     if (fit.whiteness > kNotWhite && lines_.cut(run, mark, left, right))
     {
@@ -155,10 +151,10 @@ class Finish
       finish(trimmed, mark);
       return;
     }
-    const Segment segment = makeSegment(fit, rays.first, lines_.ray(run.last), scan_);
-    const bool kept = isSegment(fit, segment, scan_, options_);
-    remark(run, mark, kept ? static_cast<int>(scan_.segments.size()) : SegmentedScan::kNoSegment);
-    if (kept) scan_.segments.push_back(segment);
+    const Segment segment = makeSegment(fit, rays_.ray(run.first), rays_.ray(run.last), scan_);
+    if (!isSegment(fit, segment, scan_, options_)) return;
+    tellRays(run, mark, static_cast<int>(scan_.segments.size()));
+    scan_.segments.push_back(segment);
   }
 
   /** Takes rays that graze the line off both ends: bearing errors dominate there. False where none
@@ -167,28 +163,38 @@ class Finish
   {
     const Eigen::Vector2d n = line.normal();
     const auto grazes = [&](int position)
-    { return n.dot(scan_.grid.direction(lines_.ray(position))) < options_.minIncidenceCosine; };
+    { return n.dot(scan_.grid.direction(rays_.ray(position))) < options_.minIncidenceCosine; };
     const LineRun whole = run;
     while (run.last - run.first >= options_.minRays && grazes(run.first)) ++run.first;
     while (run.last - run.first >= options_.minRays && grazes(run.last)) --run.last;
     if (run.first == whole.first && run.last == whole.last) return false;
-    remark({whole.first, run.first - 1, {}}, mark, SegmentedScan::kNoSegment);
-    remark({run.last + 1, whole.last, {}}, mark, SegmentedScan::kNoSegment);
+    drop(whole.first, run.first - 1, mark, run);
+    drop(run.last + 1, whole.last, mark, run);
     return true;
   }
 
-  /** Marks go from runs to segments; rays of dropped runs become single points. */
-  void remark(const LineRun& run, int from, int to)
+  /** Rays that no longer belong to a run. */
+  void drop(int first, int last, int mark, LineRun& run)
+  {
+    for (int p = first; p <= last; ++p)
+    {
+      int& own = rays_.mark[static_cast<std::size_t>(p)];
+      if (own != mark) continue;
+      own = SegmentedScan::kNoSegment;
+      run.sums.removeMoments(rays_.moments[static_cast<std::size_t>(p)]);
+    }
+  }
+
+  void tellRays(const LineRun& run, int mark, int segment)
   {
     for (int p = run.first; p <= run.last; ++p)
-    {
-      int& mark = scan_.segmentOfRay[static_cast<std::size_t>(lines_.ray(p))];
-      if (mark == from) mark = to;
-    }
+      if (rays_.mark[static_cast<std::size_t>(p)] == mark)
+        scan_.segmentOfRay[static_cast<std::size_t>(rays_.ray(p))] = segment;
   }
 
   const LineRuns& lines_;
   const SegmentationOptions& options_;
+  RayColumns& rays_;
   SegmentedScan& scan_;
 };
 }  // namespace
@@ -199,13 +205,16 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
 {
   cleanScan(scan, preprocessing, result);
   medianFilter(preprocessing.medianWindow, buffers.scratch, result);
-  invertRanges(result, buffers.inverseRange_1_m);
-  result.rangeSigma_m = settledSigma_m(scan, options, result, buffers);
+  RayColumns& rays = buffers.rays;
+  rays.load(result);
+  result.rangeSigma_m = settledSigma_m(scan, options, rays, buffers.scratch);
+  if (result.grid.closed()) rays.startAt(result, strongestBreak(rays));
+  rays.computeMoments();
 
-  LineRuns lines(options, buffers.inverseRange_1_m, result, buffers.runs);
+  LineRuns lines(options, result.rangeSigma_m, rays, buffers.runs);
   lines.grow();
   lines.contestCorners();
   lines.mergeCollinear();
-  Finish(lines, options, result).run();
+  Finish(lines, options, rays, result).run();
 }
 }  // namespace psmks

@@ -11,8 +11,8 @@ namespace psmks
 /** Scratch of the segmentation, kept between scans so that nothing is allocated after the first. */
 struct SegmentationBuffers
 {
-  std::vector<double> scratch;           //!< one number per ray, for medians
-  std::vector<double> inverseRange_1_m;  //!< of the valid rays
+  std::vector<double> scratch;  //!< one number per ray, for medians
+  RayColumns rays;
   std::vector<LineRun> runs;
 };
 

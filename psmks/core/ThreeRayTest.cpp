@@ -8,44 +8,67 @@ namespace psmks
 {
 namespace
 {
+constexpr int kFewestTests = 20;
+constexpr double kEdge_m = 0.2;  // a test beyond it is a jump or a corner, not noise
+constexpr double kMedianOfAbsoluteNormal = 0.6745;
+
+/** One test as a fraction: squared left side over its variance for a range sigma of 1 m. */
+struct Fraction
+{
+  double square, variance;
+};
+
 class ThreeRays
 {
  public:
-  explicit ThreeRays(const BeamGrid& grid) : twoCosine_(2 * std::cos(grid.increment_rad())) {}
+  explicit ThreeRays(const RayColumns& rays)
+      : inverse_(rays.inverseRange_1_m.data()), twoCosine_(2 * cosineOfIncrement(rays))
+  {
+  }
 
-  /** @param a, b, c inverse ranges of a ray and its neighbours */
-  double squared_m2(double a, double b, double c) const
+  /** @param a, b, c positions of a ray and its neighbours */
+  Fraction at(int a, int b, int c) const
   {
     // var(1/r) = sigma^2 / r^4 for each ray
-    const double a2 = a * a, b2 = b * b, c2 = c * c;
-    const double variance = a2 * a2 + twoCosine_ * twoCosine_ * b2 * b2 + c2 * c2;
-    const double sum = a - twoCosine_ * b + c;
-    return sum * sum / variance;
+    const double x = inverse_[a], y = twoCosine_ * inverse_[b], z = inverse_[c];
+    const double x2 = x * x, y2 = y * inverse_[b], z2 = z * z;
+    const double sum = x - y + z;
+    return {sum * sum, x2 * x2 + y2 * y2 + z2 * z2};
+  }
+
+  /** Whether all three have a range. */
+  bool valid(int a, int b, int c) const
+  {
+    return (inverse_[a] > 0) & (inverse_[b] > 0) & (inverse_[c] > 0);
   }
 
  private:
+  static double cosineOfIncrement(const RayColumns& rays)
+  {
+    if (rays.rays < 2) return 1;
+    return rays.cosine[0] * rays.cosine[1] + rays.sine[0] * rays.sine[1];
+  }
+
+  const double* inverse_;
   double twoCosine_;
 };
+
 }  // namespace
 
-void threeRayTests(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
-                   std::vector<double>& tests_m2)
+void threeRayTests(const RayColumns& rays, std::vector<double>& tests_m2)
 {
-  const ThreeRays test(scan.grid);
+  const ThreeRays test(rays);
   tests_m2.clear();
-  for (std::size_t i = 1; i + 1 < inverseRange_1_m.size(); ++i)
-    if (scan.valid[i - 1] && scan.valid[i] && scan.valid[i + 1])
-      tests_m2.push_back(
-          test.squared_m2(inverseRange_1_m[i - 1], inverseRange_1_m[i], inverseRange_1_m[i + 1]));
+  for (int p = 1; p < rays.rays - 1; ++p)
+  {
+    const Fraction f = test.at(p - 1, p, p + 1);
+    if (test.valid(p - 1, p, p + 1)) tests_m2.push_back(f.square / f.variance);
+  }
 }
 
-double estimateRangeSigma_m(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
-                            std::vector<double>& scratch)
+double estimateRangeSigma_m(const RayColumns& rays, std::vector<double>& scratch)
 {
-  constexpr std::ptrdiff_t kFewestTests = 20;
-  constexpr double kEdge_m = 0.2;  // a test beyond it is a jump or a corner, not noise
-  constexpr double kMedianOfAbsoluteNormal = 0.6745;
-  threeRayTests(scan, inverseRange_1_m, scratch);
+  threeRayTests(rays, scratch);
   const auto end = std::partition(scratch.begin(), scratch.end(),
                                   [](double test_m2) { return test_m2 <= kEdge_m * kEdge_m; });
   const auto tests = end - scratch.begin();
@@ -55,21 +78,37 @@ double estimateRangeSigma_m(const SegmentedScan& scan, const std::vector<double>
   return std::sqrt(*middle) / kMedianOfAbsoluteNormal;
 }
 
-int strongestBreak(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m)
+bool mayShowNoiseAbove(const RayColumns& rays, double sigma_m)
 {
-  const ThreeRays test(scan.grid);
+  constexpr int kStep = 3;         // tests that share no ray
+  constexpr double kMargin = 0.8;  // for the scatter of the median of so many
+  const double median_m = std::min(kEdge_m, kMargin * kMedianOfAbsoluteNormal * sigma_m);
+  const ThreeRays test(rays);
+  int tests = 0, below = 0;
+  for (int p = 1; p < rays.rays - 1; p += kStep)
+  {
+    const Fraction f = test.at(p - 1, p, p + 1);
+    const bool counts = test.valid(p - 1, p, p + 1) & (f.square <= kEdge_m * kEdge_m * f.variance);
+    tests += counts;
+    below += counts & (f.square <= median_m * median_m * f.variance);
+  }
+  return 2 * below <= tests;
+}
+
+int strongestBreak(const RayColumns& rays)
+{
+  const ThreeRays test(rays);
   int strongest = 0;
   double largest_m2 = -1;
-  for (int i = 0; i < scan.rays(); ++i)
+  for (int p = 0; p < rays.rays; ++p)
   {
-    const int before = scan.grid.neighbour(i, -1), after = scan.grid.neighbour(i, 1);
-    if (!scan.isValid(i) || !scan.isValid(after)) continue;
-    if (!scan.isValid(before)) return i;
-    const auto inverse = [&](int ray) { return inverseRange_1_m[static_cast<std::size_t>(ray)]; };
-    const double test_m2 = test.squared_m2(inverse(before), inverse(i), inverse(after));
-    if (test_m2 <= largest_m2) continue;
-    largest_m2 = test_m2;
-    strongest = i;
+    const int before = p > 0 ? p - 1 : rays.rays - 1, after = p + 1 < rays.rays ? p + 1 : 0;
+    if (!rays.valid(p) || !rays.valid(after)) continue;
+    if (!rays.valid(before)) return p;
+    const Fraction f = test.at(before, p, after);
+    if (f.square <= largest_m2 * f.variance) continue;
+    largest_m2 = f.square / f.variance;
+    strongest = p;
   }
   return strongest;
 }

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/SegmentedScan.h>
+#include <psmks/core/RayColumns.h>
 
 #include <vector>
 
@@ -16,19 +16,21 @@ namespace psmks
 
 /** Values of the test, squared, in m^2 of range noise, of every ray that is valid with both
  * neighbours.
- *  @param inverseRange_1_m 1/r of the valid rays
- *  @param[out] tests_m2 in the order of the rays, the others left out */
-void threeRayTests(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
-                   std::vector<double>& tests_m2);
+ *  @param[out] tests_m2 in the order of the positions, the others left out */
+void threeRayTests(const RayColumns& rays, std::vector<double>& tests_m2);
 
 /** Robust standard deviation of a range as the scan itself shows it: median of the three-ray tests
  * up to 20 cm, for larger ones lie on edges. 0 where fewer than 20 are left. Holds for crowded
  * scans, in which most rays lie on edges, and for ranges rounded to cells, whose noise has no bell
  * shape. */
-double estimateRangeSigma_m(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m,
-                            std::vector<double>& scratch);
+double estimateRangeSigma_m(const RayColumns& rays, std::vector<double>& scratch);
+
+/** False where that estimate is surely below a value: a count over every third test, many times
+ * faster than the median. */
+bool mayShowNoiseAbove(const RayColumns& rays, double sigma_m);
 
 /** Ray of a closed scan where no line can pass: one after an invalid ray, else the one with the
- * largest test. Lines are grown from there, so that the seam of the grid is no edge. */
-int strongestBreak(const SegmentedScan& scan, const std::vector<double>& inverseRange_1_m);
+ * largest test. Lines are grown from there, so that the seam of the grid is no edge.
+ *  @param rays in the order of the grid */
+int strongestBreak(const RayColumns& rays);
 }  // namespace psmks

@@ -36,6 +36,22 @@ bool startOn(Filter& filter, const std::vector<MeasuredRay>& rays, int seedRays)
   return filter.start(seed);
 }
 
+/** A filter started on the first rays and updated by the others up to `end`. */
+template <class Filter>
+bool runOn(Filter& filter, const std::vector<MeasuredRay>& rays, std::size_t seedRays,
+           std::size_t end)
+{
+  LineSums sums;
+  for (std::size_t i = 0; i < seedRays; ++i) sums.add(rays[i]);
+  if (!filter.start(sums)) return false;
+  for (std::size_t i = seedRays; i < end; ++i)
+  {
+    sums.add(rays[i]);
+    filter.update(rays[i], sums);
+  }
+  return true;
+}
+
 template <class Filter>
 class LineFilters : public testing::Test
 {
@@ -59,8 +75,7 @@ TEST(LinearLineFilter, PredictionIsConsistent)
       const Line line{random.uniform(1, 5), random.uniform(-kPi, kPi), {}};
       const std::vector<MeasuredRay> rays = raysOn(line, 6 + updates + 1, random);
       LinearLineFilter filter(kSigma_m);
-      ASSERT_TRUE(startOn(filter, rays, 6));
-      for (int i = 0; i < updates; ++i) filter.update(rays[static_cast<std::size_t>(6 + i)]);
+      ASSERT_TRUE(runOn(filter, rays, 6, static_cast<std::size_t>(6 + updates)));
       withinOne += filter.accepts(rays.back(), 1);
       withinTwo += filter.accepts(rays.back(), 2);
     }
@@ -76,8 +91,7 @@ TYPED_TEST(LineFilters, AcceptARayOnTheLineAndRefuseOneBesideIt)
   const Line line{2, 0.4, {}};
   const std::vector<MeasuredRay> rays = raysOn(line, 30, random);
   TypeParam filter(kSigma_m);
-  ASSERT_TRUE(startOn(filter, rays, 6));
-  for (std::size_t i = 6; i < rays.size(); ++i) filter.update(rays[i]);
+  ASSERT_TRUE(runOn(filter, rays, 6, rays.size()));
   const double next_rad = line.phi0_rad + degToRad(16), next_m = line.rangeAt_m(next_rad);
   EXPECT_TRUE(filter.accepts(rayOf(next_rad, next_m), 3.3));
   EXPECT_FALSE(filter.accepts(rayOf(next_rad, next_m + 0.06), 3.3));
@@ -93,6 +107,36 @@ TYPED_TEST(LineFilters, RefuseARayThatRunsAwayFromTheLine)
   ASSERT_TRUE(startOn(filter, raysOn(line, 10, random), 10));
   EXPECT_FALSE(filter.accepts(rayOf(degToRad(179), 2), 3.3));
   EXPECT_FALSE(filter.accepts(rayOf(degToRad(91), 1e4), 3.3));
+}
+
+//   o o o o o o|. . . .     a block is accepted where each of its rays is
+TEST(LinearLineFilter, ABlockIsAcceptedWhereEveryRayIs)
+{
+  test::RandomNumbers random(24);
+  SCOPED_TRACE(random.seedText());
+  int accepted = 0;
+  for (int wall = 0; wall < 500; ++wall)
+  {
+    const Line line{random.uniform(1, 5), random.uniform(-0.5, 0.5), {}};
+    SegmentedScan scan;
+    scan.grid = BeamGrid::centered(degToRad(40), 41);
+    for (int i = 0; i < 41; ++i)
+      scan.range_m.push_back(line.rangeAt_m(scan.grid.bearing_rad(i)) +
+                             random.normal(2 * kSigma_m));
+    RayColumns columns;
+    columns.load(scan);
+    LineSums seed;
+    for (int p = 0; p < 20; ++p) seed.add(columns.measured(p));
+    LinearLineFilter filter(kSigma_m);
+    ASSERT_TRUE(filter.start(seed));
+    bool every = true;
+    for (int p = 20; p < 20 + RayColumns::kBlock; ++p)
+      every = every && filter.accepts(columns.measured(p), 3);
+    EXPECT_EQ(filter.acceptsBlock(columns, 20, 3), every);
+    accepted += every;
+  }
+  EXPECT_GT(accepted, 100);
+  EXPECT_LT(accepted, 400);
 }
 
 TYPED_TEST(LineFilters, DoNotStartFromOneDirection)
@@ -113,15 +157,16 @@ TEST(PolarLineFilter, EndsNearTheBatchFitOfAWellConditionedWall)
     std::mt19937 rng(seed);
     const BeamGrid grid = BeamGrid::centered(degToRad(79), 80);
     const Scan scan = castScan(walls, {}, grid, 30, kSigma_m, rng);
-    const SegmentedScan segmented = segmentByWalls(scan, walls, {});
-    const LineFit batch = fitLine(segmented, {0, 80, 0}, {2, 0, {}}, kSigma_m);
+    RayColumns columns;
+    columns.load(segmentByWalls(scan, walls, {}));
+    std::fill_n(columns.mark.begin(), 80, 0);
+    const LineFit batch = fitLine(columns, {0, 79, 0}, {2, 0, {}}, kSigma_m);
 
     std::vector<MeasuredRay> rays;
     for (int i = 0; i < grid.count(); ++i)
       rays.push_back(rayOf(grid.bearing_rad(i), scan.range_m[static_cast<std::size_t>(i)]));
     PolarLineFilter filter(kSigma_m);
-    ASSERT_TRUE(startOn(filter, rays, 12));
-    for (std::size_t i = 12; i < rays.size(); ++i) filter.update(rays[i]);
+    ASSERT_TRUE(runOn(filter, rays, 12, rays.size()));
 
     const Line line = filter.line();
     const Eigen::Matrix2d& P = batch.line.covariance;

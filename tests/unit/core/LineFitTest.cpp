@@ -12,27 +12,30 @@ namespace
 {
 constexpr double kSigma_m = 0.01;
 
-/** All rays of a grid on one line, with ranges by bearing. */
-SegmentedScan scanOf(const BeamGrid& grid, const std::function<double(double)>& rangeAt_m)
+/** All rays of a grid on one line, with ranges by bearing, from ray `start` on. */
+RayColumns raysOf(const BeamGrid& grid, const std::function<double(double)>& rangeAt_m,
+                  int start = 0)
 {
   SegmentedScan scan;
   scan.grid = grid;
   for (int i = 0; i < grid.count(); ++i) scan.range_m.push_back(rangeAt_m(grid.bearing_rad(i)));
-  scan.valid.assign(scan.range_m.size(), 1);
-  scan.segmentOfRay.assign(scan.range_m.size(), 0);
-  return scan;
+  RayColumns rays;
+  rays.load(scan);
+  rays.startAt(scan, start);
+  std::fill_n(rays.mark.begin(), rays.rays, 0);
+  return rays;
 }
 
-RayRange allOf(const SegmentedScan& scan) { return {0, scan.rays(), 0}; }
+RayRange allOf(const RayColumns& rays) { return {0, rays.rays - 1, 0}; }
 
 /** d range / d (r0, phi0) of every ray, by central differences of the line's own range. */
-Eigen::MatrixX2d numericRows(const SegmentedScan& scan, const Line& line)
+Eigen::MatrixX2d numericRows(const BeamGrid& grid, const Line& line)
 {
   constexpr double h = 1e-6;
-  Eigen::MatrixX2d J(scan.rays(), 2);
-  for (int i = 0; i < scan.rays(); ++i)
+  Eigen::MatrixX2d J(grid.count(), 2);
+  for (int i = 0; i < grid.count(); ++i)
   {
-    const double b = scan.grid.bearing_rad(i);
+    const double b = grid.bearing_rad(i);
     const auto at = [&](double dr0, double dphi0) {
       return Line{line.r0_m + dr0, line.phi0_rad + dphi0, {}}.rangeAt_m(b);
     };
@@ -47,8 +50,8 @@ const BeamGrid kGrid = BeamGrid::centered(degToRad(60), 61);
 TEST(LineFit, ExactRaysGiveTheirLine)
 {
   const Line truth{2, 0.3, {}};
-  const SegmentedScan scan = scanOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
-  const LineFit fit = fitLine(scan, allOf(scan), truth, kSigma_m);
+  const RayColumns rays = raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
+  const LineFit fit = fitLine(rays, allOf(rays), truth, kSigma_m);
   EXPECT_EQ(fit.rays, 61);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
   EXPECT_NEAR(fit.line.phi0_rad, 0.3, 1e-12);
@@ -64,15 +67,15 @@ TEST(LineFit, StepAndCovarianceAreThoseOfTheNumericDerivative)
   for (int round = 0; round < 20; ++round)
   {
     const Line truth{random.uniform(0.5, 6), random.uniform(-0.6, 0.6), {}};
-    const SegmentedScan scan =
-        scanOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
+    const RayColumns rays =
+        raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
     const Line start{truth.r0_m + random.normal(0.003), truth.phi0_rad + random.normal(0.003), {}};
-    const LineFit fit = fitLine(scan, allOf(scan), start, kSigma_m);
+    const LineFit fit = fitLine(rays, allOf(rays), start, kSigma_m);
 
-    const Eigen::MatrixX2d J = numericRows(scan, start);
-    Eigen::VectorXd e(scan.rays());
-    for (int i = 0; i < scan.rays(); ++i)
-      e[i] = scan.range_m[static_cast<std::size_t>(i)] - start.rangeAt_m(scan.grid.bearing_rad(i));
+    const Eigen::MatrixX2d J = numericRows(kGrid, start);
+    Eigen::VectorXd e(rays.rays);
+    for (int i = 0; i < rays.rays; ++i)
+      e[i] = rays.range_m[static_cast<std::size_t>(i)] - start.rangeAt_m(kGrid.bearing_rad(i));
     const Eigen::Matrix2d inverse = (J.transpose() * J).inverse();
     const Eigen::Vector2d step = inverse * J.transpose() * e;
     EXPECT_NEAR(fit.line.r0_m - start.r0_m, step[0], 1e-8);
@@ -86,11 +89,11 @@ TEST(LineFit, StepAndCovarianceAreThoseOfTheNumericDerivative)
 TEST(LineFit, OnlyMarkedRaysOfTheRangeCount)
 {
   const Line truth{2, 0, {}};
-  SegmentedScan scan = scanOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
-  scan.range_m[20] = 1;  // passed over: another mark
-  scan.segmentOfRay[20] = SegmentedScan::kNoSegment;
-  scan.range_m[5] = 1;  // before the range
-  const LineFit fit = fitLine(scan, {10, 40, 0}, truth, kSigma_m);
+  RayColumns rays = raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
+  rays.range_m[20] = 1;  // passed over: another mark
+  rays.mark[20] = SegmentedScan::kNoSegment;
+  rays.range_m[5] = 1;  // before the range
+  const LineFit fit = fitLine(rays, {10, 49, 0}, truth, kSigma_m);
   EXPECT_EQ(fit.rays, 39);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
 }
@@ -99,8 +102,9 @@ TEST(LineFit, ARangeGoesOnAcrossTheSeam)
 {
   const BeamGrid grid = BeamGrid::centered(2 * kPi, 360);
   const Line truth{2, kPi, {}};  // the foot is at the seam
-  const SegmentedScan scan = scanOf(grid, [&](double b) { return truth.rangeAt_m(b); });
-  const LineFit fit = fitLine(scan, {330, 60, 0}, truth, kSigma_m);
+  const RayColumns rays = raysOf(
+      grid, [&](double b) { return truth.rangeAt_m(b); }, 330);
+  const LineFit fit = fitLine(rays, {0, 59, 0}, truth, kSigma_m);
   EXPECT_EQ(fit.rays, 60);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
 }
@@ -119,9 +123,9 @@ TEST(LineFit, TheCurvatureOfARoundWallIsMeasured)
   };
   test::RandomNumbers random(32);
   SCOPED_TRACE(random.seedText());
-  const SegmentedScan scan = scanOf(BeamGrid::centered(degToRad(20), 61),
-                                    [&](double b) { return pillar(b) + random.normal(0.002); });
-  const LineFit fit = fitLine(scan, allOf(scan), {2.01, 0, {}}, 0.002);
+  const RayColumns rays = raysOf(BeamGrid::centered(degToRad(20), 61),
+                                 [&](double b) { return pillar(b) + random.normal(0.002); });
+  const LineFit fit = fitLine(rays, allOf(rays), {2.01, 0, {}}, 0.002);
   EXPECT_GT(fit.curvature_1_m, 4.5 * fit.curvatureSigma_1_m);
   EXPECT_NEAR(fit.curvature_1_m, 1 / (2 * radius_m), 0.02);
 }
@@ -135,9 +139,9 @@ TEST(LineFit, AWallHasNoCurvatureAndWhiteResiduals)
   for (int wall = 0; wall < kWalls; ++wall)
   {
     const Line truth{random.uniform(1, 4), random.uniform(-0.4, 0.4), {}};
-    const SegmentedScan scan =
-        scanOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
-    const LineFit fit = fitLine(scan, allOf(scan), truth, kSigma_m);
+    const RayColumns rays =
+        raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
+    const LineFit fit = fitLine(rays, allOf(rays), truth, kSigma_m);
     curvature2 += std::pow(fit.curvature_1_m / fit.curvatureSigma_1_m, 2) / kWalls;
     whiteness += fit.whiteness / kWalls;
     whiteness2 += fit.whiteness * fit.whiteness / kWalls;
@@ -154,8 +158,8 @@ TEST(LineFit, AStepOfTwoCentimetresIsNotWhite)
   test::RandomNumbers random(34);
   SCOPED_TRACE(random.seedText());
   const Line far{2.02, 0, {}}, near{2, 0, {}};
-  const SegmentedScan scan = scanOf(
+  const RayColumns rays = raysOf(
       kGrid, [&](double b) { return (b < 0 ? far : near).rangeAt_m(b) + random.normal(0.005); });
-  EXPECT_GT(fitLine(scan, allOf(scan), {2.01, 0, {}}, 0.005).whiteness, 2.5);
+  EXPECT_GT(fitLine(rays, allOf(rays), {2.01, 0, {}}, 0.005).whiteness, 2.5);
 }
 }  // namespace psmks

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <psmks/core/LineRuns.h>
 #include <psmks/core/Preprocessing.h>
+#include <psmks/core/ThreeRayTest.h>
 #include <tests/support/Scenes.h>
 
 namespace psmks
@@ -13,18 +14,25 @@ struct Workbench
 {
   explicit Workbench(const Scan& raw, double sigma_m = 0.01)
   {
+    SegmentedScan scan;
     cleanScan(raw, {}, scan);
-    scan.rangeSigma_m = sigma_m;
-    for (const double range_m : scan.range_m) inverse_1_m.push_back(range_m > 0 ? 1 / range_m : 0);
+    rays.load(scan);
+    if (scan.grid.closed()) rays.startAt(scan, strongestBreak(rays));
+    rays.computeMoments();
+    rangeSigma_m = sigma_m;
   }
 
-  LineRuns lines() { return {options, inverse_1_m, scan, storage}; }
+  LineRuns lines() { return {options, rangeSigma_m, rays, storage}; }
 
-  int markOf(int ray) const { return scan.segmentOfRay[static_cast<std::size_t>(ray)]; }
+  int markOf(int ray) const
+  {
+    const int position = (ray - rays.start + rays.rays) % rays.rays;
+    return rays.mark[static_cast<std::size_t>(position)];
+  }
 
   SegmentationOptions options;
-  SegmentedScan scan;
-  std::vector<double> inverse_1_m;
+  RayColumns rays;
+  double rangeSigma_m;
   std::vector<LineRun> storage;
 };
 
@@ -167,10 +175,12 @@ TEST(LineRuns, ACutFindsTheStepThatNoRayShows)
   std::mt19937 rng(1);
   Workbench bench(castScan(step, {}, grid, 30, 0.005, rng), 0.005);
   LineRuns lines = bench.lines();
-  bench.scan.segmentOfRay.assign(241, 0);
   LineRun run{0, 240, {}}, left, right;
-  for (std::size_t i = 0; i < 241; ++i)
-    run.sums.add({grid.cosines()[i], grid.sines()[i], bench.scan.range_m[i], bench.inverse_1_m[i]});
+  for (int ray = 0; ray < 241; ++ray)
+  {
+    bench.rays.mark[static_cast<std::size_t>(ray)] = 0;
+    run.sums.add(bench.rays.measured(ray));
+  }
   ASSERT_TRUE(lines.cut(run, 0, left, right));
   EXPECT_NEAR(left.last, 120, 12);
   EXPECT_EQ(right.first, left.last + 1);
@@ -200,8 +210,8 @@ TEST(LineRuns, PositionsOfAClosedScanStartAtABreak)
   LineRuns lines = bench.lines();
   lines.grow();
   EXPECT_EQ(lines.runs().size(), 4u);
-  EXPECT_NE(lines.ray(0), 0);
-  EXPECT_EQ(lines.ray(359), lines.ray(0) - 1);
+  EXPECT_NE(bench.rays.ray(0), 0);
+  EXPECT_EQ(bench.rays.ray(359), bench.rays.ray(0) - 1);
   EXPECT_EQ(bench.markOf(0), bench.markOf(359));
 }
 }  // namespace psmks

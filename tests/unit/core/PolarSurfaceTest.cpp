@@ -79,16 +79,17 @@ TEST(PolarSurface, CellsHoldTheLinesOnBothSides)
   const BeamGrid grid = BeamGrid::centered(kPi, 182);
   const SegmentedScan scan = roomOn(grid);
   const MatchView view = viewOf(scan);
-  const PolarSurface::Cell& ahead = view.surface.cell(view.surface.cellOf(2, 0));
+  const PolarSurface::Side* ahead = view.surface.sides(view.surface.cellOf(2, 0));
   for (const int side : {0, 1})
   {
-    EXPECT_NEAR(ahead.nx[side], 1, 1e-6);
-    EXPECT_NEAR(ahead.d[side], 3, 1e-6);
+    EXPECT_NEAR(ahead[side].nx, 1, 1e-6);
+    EXPECT_NEAR(ahead[side].d, 3, 1e-6);
+    EXPECT_NEAR(ahead[side].distance_m(2, 0.5f), -1, 1e-6);
   }
-  const PolarSurface::Cell& corner = view.surface.cell(view.surface.cellOf(1, 1));
-  EXPECT_NEAR(corner.nx[0], 1, 1e-6);
-  EXPECT_NEAR(corner.ny[1], 1, 1e-6);
-  EXPECT_NE(corner.line[0], corner.line[1]);
+  const PolarSurface::Side* corner = view.surface.sides(view.surface.cellOf(1, 1));
+  EXPECT_NEAR(corner[0].nx, 1, 1e-6);
+  EXPECT_NEAR(corner[1].ny, 1, 1e-6);
+  EXPECT_NE(corner[0].line, corner[1].line);
 }
 
 TEST(PolarSurface, ARayWithoutALineStandsForItsCircle)
@@ -97,11 +98,11 @@ TEST(PolarSurface, ARayWithoutALineStandsForItsCircle)
   scan.segmentOfRay[90] = SegmentedScan::kNoSegment;
   scan.range_m[90] = 2;
   const MatchView view = viewOf(scan);
-  const PolarSurface::Cell& cell = view.surface.cell(90);
-  EXPECT_EQ(cell.line[0], -1);
-  EXPECT_NEAR(cell.d[0], 2, 1e-6);
-  EXPECT_NEAR(cell.nx[0], 1, 1e-6);
-  EXPECT_NEAR(cell.d[1], 3, 1e-6) << "the wall goes on at the next ray";
+  const PolarSurface::Side* sides = view.surface.sides(90);
+  EXPECT_EQ(sides[0].line, -1);
+  EXPECT_NEAR(sides[0].d, 2, 1e-6);
+  EXPECT_NEAR(sides[0].nx, 1, 1e-6);
+  EXPECT_NEAR(sides[1].d, 3, 1e-6) << "the wall goes on at the next ray";
 }
 
 TEST(PolarSurface, ACellBesideAnInvalidRayIsUnknown)
@@ -109,9 +110,9 @@ TEST(PolarSurface, ACellBesideAnInvalidRayIsUnknown)
   SegmentedScan scan = roomOn(BeamGrid::centered(kPi, 181));
   scan.valid[90] = 0;
   const MatchView view = viewOf(scan);
-  EXPECT_TRUE(view.surface.cell(88).known);
-  EXPECT_FALSE(view.surface.cell(89).known);
-  EXPECT_FALSE(view.surface.cell(90).known);
-  EXPECT_TRUE(view.surface.cell(91).known);
+  EXPECT_TRUE(view.surface.known(88));
+  EXPECT_FALSE(view.surface.known(89));
+  EXPECT_FALSE(view.surface.known(90));
+  EXPECT_TRUE(view.surface.known(91));
 }
 }  // namespace psmks

@@ -15,18 +15,18 @@ struct Prepared
 {
   explicit Prepared(const Scan& raw)
   {
+    SegmentedScan scan;
     cleanScan(raw, {}, scan);
-    for (const double range_m : scan.range_m) inverse_1_m.push_back(range_m > 0 ? 1 / range_m : 0);
+    rays.load(scan);
   }
 
   double estimatedSigma_m()
   {
     std::vector<double> scratch;
-    return estimateRangeSigma_m(scan, inverse_1_m, scratch);
+    return estimateRangeSigma_m(rays, scratch);
   }
 
-  SegmentedScan scan;
-  std::vector<double> inverse_1_m;
+  RayColumns rays;
 };
 
 //      o
@@ -39,7 +39,7 @@ TEST(ThreeRayTest, IsZeroOnAnExactLineWhateverTheLine)
 {
   const Prepared p(castScan(kSlantedWall, {}, BeamGrid::centered(kPi, 181)));
   std::vector<double> tests_m2;
-  threeRayTests(p.scan, p.inverse_1_m, tests_m2);
+  threeRayTests(p.rays, tests_m2);
   ASSERT_GT(tests_m2.size(), 100u);
   for (const double test_m2 : tests_m2) EXPECT_LT(test_m2, 1e-24);
 }
@@ -56,8 +56,8 @@ TEST(ThreeRayTest, IsTheRangeErrorInUnitsOfItsOwnPropagation)
   scan.range_m[2] += e_m;
   Prepared raised(scan);
   std::vector<double> before_m2, after_m2;
-  threeRayTests(plain.scan, plain.inverse_1_m, before_m2);
-  threeRayTests(raised.scan, raised.inverse_1_m, after_m2);
+  threeRayTests(plain.rays, before_m2);
+  threeRayTests(raised.rays, after_m2);
   const double change_m = std::sqrt(after_m2[1]) - std::sqrt(before_m2[1]);
   EXPECT_NEAR(change_m, 2 * cosine * e_m / std::sqrt(2 + 4 * cosine * cosine), 1e-3 * e_m);
 }
@@ -68,7 +68,7 @@ TEST(ThreeRayTest, RaysBesideAnInvalidOneAreNotTested)
   scan.range_m[5] = 0;
   const Prepared p(scan);
   std::vector<double> tests_m2;
-  threeRayTests(p.scan, p.inverse_1_m, tests_m2);
+  threeRayTests(p.rays, tests_m2);
   EXPECT_EQ(tests_m2.size(), 9u - 3u);
 }
 
@@ -114,13 +114,27 @@ TEST(ThreeRayTest, TheNoiseIsSeenThroughAFenceOfEdges)
     }
     Prepared p(scan);
     std::vector<double> tests_m2;
-    threeRayTests(p.scan, p.inverse_1_m, tests_m2);
+    threeRayTests(p.rays, tests_m2);
     const auto onEdges = std::count_if(tests_m2.begin(), tests_m2.end(),
                                        [](double test_m2) { return test_m2 > 0.1 * 0.1; });
     ASSERT_GT(onEdges, 0.6 * static_cast<double>(tests_m2.size()));
     mean_m += p.estimatedSigma_m() / kScans;
   }
   EXPECT_NEAR(mean_m, 0.01, 0.001);
+}
+
+// The count never misses what the median would tell.
+TEST(ThreeRayTest, TheCountForeseesTheMedian)
+{
+  const BeamGrid grid = BeamGrid::centered(kPi, 361);
+  for (const double sigma_m : {0.005, 0.01, 0.02, 0.04})
+    for (unsigned seed = 1; seed <= 10; ++seed)
+    {
+      std::mt19937 rng(seed);
+      Prepared p(castScan(clutteredRoom(seed), {}, grid, 30, sigma_m, rng));
+      EXPECT_TRUE(mayShowNoiseAbove(p.rays, 0.9 * p.estimatedSigma_m())) << "seed " << seed;
+      EXPECT_FALSE(mayShowNoiseAbove(p.rays, 2 * p.estimatedSigma_m())) << "seed " << seed;
+    }
 }
 
 TEST(ThreeRayTest, FewRaysShowNoNoise)
@@ -135,7 +149,7 @@ TEST(ThreeRayTest, TheStrongestBreakOfARoomIsACorner)
 {
   const BeamGrid grid = BeamGrid::centered(2 * kPi, 360);
   const Prepared p(castScan(squareRoom(), {}, grid));
-  const double bearing_deg = radToDeg(grid.bearing_rad(strongestBreak(p.scan, p.inverse_1_m)));
+  const double bearing_deg = radToDeg(grid.bearing_rad(strongestBreak(p.rays)));
   EXPECT_NEAR(std::abs(std::remainder(bearing_deg - 45, 90)), 0, 1e-6);
 }
 
@@ -144,6 +158,6 @@ TEST(ThreeRayTest, ARayAfterAnInvalidOneIsABreak)
   Scan scan = castScan(squareRoom(), {}, BeamGrid::centered(2 * kPi, 360));
   scan.range_m[99] = 0;
   const Prepared p(scan);
-  EXPECT_EQ(strongestBreak(p.scan, p.inverse_1_m), 100);
+  EXPECT_EQ(strongestBreak(p.rays), 100);
 }
 }  // namespace psmks
