@@ -72,7 +72,7 @@ class CircleFinder
     {
       if (const Segment* segment = scan_.segmentAt(first); segment && isLong(*segment))
       {
-        first = segment->lastRay < first ? scan_.rays() : segment->lastRay + 1;
+        first = scan_.rayAfter(*segment, first);
         continue;
       }
       int end = first;

@@ -43,6 +43,7 @@ class Pairing
         T_ref_cur_(T_ref_cur),
         R_(T_ref_cur.rotation()),
         gates_(gates),
+        largestSine_(std::sin(gates.angle_rad)),
         problem_(problem)
   {
   }
@@ -117,7 +118,7 @@ class Pairing
     if (!(shared.count() >= kFewestShared)) return;
     const AnchoredLine& ref = ref_.lines[r];
     const double sine = ref.normal.x() * normal.y() - ref.normal.y() * normal.x();
-    if (ref.normal.dot(normal) <= 0 || std::abs(sine) > std::sin(gates_.angle_rad)) return;
+    if (ref.normal.dot(normal) <= 0 || std::abs(sine) > largestSine_) return;
     const double curDistance_m = normal.dot(pointOnCurrent_m);
     const double refDistance_m = ref_.straights[r].line.r0_m;
     for (const double at : {shared.first, shared.last})
@@ -207,6 +208,7 @@ class Pairing
   const Pose2& T_ref_cur_;
   const Eigen::Matrix2d R_;
   const PairingGates& gates_;
+  const double largestSine_;
   JointProblem& problem_;
   PairedCircles circles_;
   int associations_ = 0;
@@ -236,8 +238,8 @@ void MatchView::findSingles()
 {
   singles.clear();
   const std::uint8_t* valid = scan->valid.data();
-  const int* segment = scan->segmentOfRay.data();
-  for (int ray = 0; ray < scan->rays(); ++ray)
+  const int *segment = scan->segmentOfRay.data(), rays = scan->rays();
+  for (int ray = 0; ray < rays; ++ray)
     if (valid[ray] && segment[ray] == SegmentedScan::kNoSegment) singles.push_back(ray);
 }
 

@@ -25,7 +25,11 @@ class PatchFinder
 
   void run()
   {
-    for (int first = 0; first < scan_.rays();) first = patchFrom(first) + 1;
+    for (int first = 0; first < scan_.rays();)
+      if (const Segment* segment = scan_.segmentAt(first))
+        first = scan_.rayAfter(*segment, first);
+      else
+        first = patchFrom(first) + 1;
   }
 
  private:

@@ -187,9 +187,13 @@ class Finish
 
   void tellRays(const LineRun& run, int mark, int segment)
   {
-    for (int p = run.first; p <= run.last; ++p)
-      if (rays_.mark[static_cast<std::size_t>(p)] == mark)
-        scan_.segmentOfRay[static_cast<std::size_t>(rays_.ray(p))] = segment;
+    const int *marks = rays_.mark.data(), rays = rays_.rays;
+    int* segmentOfRay = scan_.segmentOfRay.data();
+    for (int p = run.first, ray = rays_.ray(p); p <= run.last; ++p, ++ray)
+    {
+      if (ray == rays) ray = 0;
+      if (marks[p] == mark) segmentOfRay[ray] = segment;
+    }
   }
 
   const LineRuns& lines_;

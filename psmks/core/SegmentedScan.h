@@ -42,6 +42,13 @@ struct SegmentedScan
     return s == kNoSegment ? nullptr : &segments[static_cast<std::size_t>(s)];
   }
 
+  /** The first ray beyond a segment that a ray of it is on, going up; rays() where the segment goes
+   * on across the seam. */
+  int rayAfter(const Segment& segment, int ray) const
+  {
+    return segment.lastRay < ray ? rays() : segment.lastRay + 1;
+  }
+
   /** Range on the segment's line where the ray has one (de-noised), else the measured range. */
   double denoisedRange_m(int ray) const;
 };

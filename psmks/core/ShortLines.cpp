@@ -28,7 +28,10 @@ class ShortLineFinder
   void run()
   {
     for (int first = 0; first + kFewestRays <= scan_.rays();)
-      first = mayBegin(first) ? lineFrom(first) + 1 : first + 1;
+      if (const Segment* segment = scan_.segmentAt(first))
+        first = scan_.rayAfter(*segment, first);
+      else
+        first = mayBegin(first) ? lineFrom(first) + 1 : first + 1;
   }
 
  private:
