@@ -21,7 +21,7 @@ bool hasReturns(const Scan& scan)
 {
   SegmentedScan cleaned;
   cleanScan(scan, PreprocessingOptions(), cleaned);
-  return cleaned.validRays() > 0;
+  return cleaned.hasValidRay();
 }
 
 void refuseCarmen(const std::string& path)

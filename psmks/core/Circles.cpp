@@ -112,10 +112,12 @@ class CircleFinder
   void tryRun(int first, int last)
   {
     constexpr int kSteps = 2;
+    constexpr double kSettled = 0.1;  // of chi2, which is off by far more by chance
     Fit fit;
     if (!start(first, last, fit)) return;
-    for (int k = 0; k < kSteps; ++k)
-      if (!step(first, last, fit)) return;
+    double gain = 2 * kSettled;
+    for (int k = 0; k < kSteps && gain > kSettled; ++k)
+      if (!step(first, last, fit, gain)) return;
     if (fits(fit, last - first + 1)) keep(fit, first, last);
   }
 
@@ -142,14 +144,16 @@ class CircleFinder
   }
 
   /** One Gauss-Newton step.
+   *  @param[out] gain by which it lowers chi2
    *  @return false where it leads out of what is round */
-  bool step(int first, int last, Fit& fit) const
+  bool step(int first, int last, Fit& fit, double& gain) const
   {
     linearise(first, last, fit);
     const Eigen::Vector3d by = fit.information.inverse() * fit.gradient;
     fit.centre_m += by.head<2>();
     fit.radius_m += by[2];
-    fit.chi2 -= fit.gradient.dot(by);
+    gain = fit.gradient.dot(by);
+    fit.chi2 -= gain;
     return fit.radius_m > kSmallest_m && fit.radius_m < kLargest_m;
   }
 

@@ -13,7 +13,7 @@ namespace
 class PointBlock
 {
  public:
-  static constexpr std::size_t kCapacity = 64;
+  static constexpr std::size_t kCapacity = 32;
 
   /** Takes every `stride`-th point from `first` on, as many as fit.
    *  @return index of the first point not taken */

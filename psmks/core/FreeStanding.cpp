@@ -28,12 +28,15 @@ bool joined(const SegmentedScan& scan, int a, int b)
 /** Flags the object that begins at a ray beyond which nothing near is seen, if it is one. */
 void flagObject(const SegmentedScan& scan, int first, std::vector<std::uint8_t>& movable)
 {
+  const Eigen::Vector2d first_m = scan.point_m(first);
   int last = first, count = 1;
   for (int next = scan.grid.neighbour(last, 1); count < scan.rays() && joined(scan, last, next);
        next = scan.grid.neighbour(last, 1), ++count)
+  {
     last = next;
+    if ((scan.point_m(last) - first_m).squaredNorm() > kWidest_m * kWidest_m) return;
+  }
   if (!dropsBehind(scan, last, scan.grid.neighbour(last, 1))) return;
-  if ((scan.point_m(first) - scan.point_m(last)).norm() > kWidest_m) return;
   for (int k = 0; k < count; ++k)
     movable[static_cast<std::size_t>(scan.grid.neighbour(first, k))] = 1;
 }
@@ -42,15 +45,12 @@ void flagObject(const SegmentedScan& scan, int first, std::vector<std::uint8_t>&
 void findFreeStanding(const SegmentedScan& scan, std::vector<std::uint8_t>& movable)
 {
   movable.assign(static_cast<std::size_t>(scan.rays()), 0);
-  if (scan.rays() == 0) return;
-  if (scan.isValid(0) && dropsBehind(scan, 0, scan.grid.neighbour(0, -1)))
-    flagObject(scan, 0, movable);
-  const double* range_m = scan.range_m.data();  // 0 where invalid
-  for (int first = 1; first < scan.rays(); ++first)
+  for (int first = 0; first < scan.rays(); ++first)
   {
-    const double here_m = range_m[first], before_m = range_m[first - 1];
-    const bool drops = (before_m > here_m + kJump_m) | (before_m == 0);
-    if (drops && here_m > 0) flagObject(scan, first, movable);
+    if (!scan.isValid(first)) continue;
+    if (dropsBehind(scan, first, scan.grid.neighbour(first, -1))) flagObject(scan, first, movable);
+    // An object begins where a segment does, not within.
+    if (const Segment* segment = scan.segmentAt(first)) first = scan.rayAfter(*segment, first) - 1;
   }
 }
 }  // namespace psmks

@@ -130,21 +130,22 @@ class JointMatch
 
   // ---- refinement -----------------------------------------------------------------------------
 
-  /** @param firstRound 0, or more to begin with narrower gates */
-  Candidate refine(const Pose2& start, int firstRound)
+  /** @param firstShare of the gates, for the first association; the last has a quarter of them */
+  Candidate refine(const Pose2& start, double firstShare)
   {
+    constexpr double kLastShare = 0.25;
     // A start is off by a tenth of the gates or so. Until then whole lines lead the way: single
     // rays are many, and those on other objects than their partners too.
     constexpr double kSlack = 0.1;
     JointProblem& problem = buffers_.problem;
     Candidate candidate;
     candidate.T_ref_cur = start;
-    const double share = std::ldexp(1.0, -firstRound);
-    PairingGates gates{share * options_.distanceGate_m, share * options_.angleGate_rad,
-                       options_.singleRayWeight};
-    for (int round = firstRound; round < options_.reassociations; ++round)
+    for (int round = 0; round < options_.reassociations; ++round)
     {
       const bool last = round + 1 == options_.reassociations;
+      const double share = last && round > 0 ? kLastShare : std::ldexp(firstShare, -round);
+      PairingGates gates{share * options_.distanceGate_m, share * options_.angleGate_rad,
+                         options_.singleRayWeight};
       gates.singleRaySlack_m = last ? 0 : kSlack * gates.distance_m;
       gates.fine = last;
       problem.clear();
@@ -153,12 +154,19 @@ class JointMatch
       candidate.associations =
           pairLines(buffers_.reference, buffers_.current, candidate.T_ref_cur, gates, problem);
       if (candidate.associations < options_.minAssociations) break;
+      const Pose2 before = candidate.T_ref_cur;
       candidate.converged =
           solve(problem, last ? finalLimits() : limitsWithin(gates), candidate.T_ref_cur);
-      gates.distance_m /= 2;
-      gates.angle_rad /= 2;
+      if (!last && isWithin(before.inverse() * candidate.T_ref_cur, kLastShare, gates))
+        round = options_.reassociations - 2;  // near enough for the last gates
     }
     return candidate;
+  }
+
+  static bool isWithin(const Pose2& motion, double share, const PairingGates& gates)
+  {
+    return motion.translation().norm() < share * gates.distance_m &&
+           std::abs(motion.phi_rad) < share * gates.angle_rad;
   }
 
   /** A pull towards the start of an association so weak that it acts only along what the scans do
@@ -193,10 +201,10 @@ class JointMatch
   }
 
   /** Refines a start and scores what comes of it; without enough associations the score is -1. */
-  Candidate scored(const Pose2& start, int firstRound = 0)
+  Candidate scored(const Pose2& start, double firstShare = 1)
   {
     Stopwatch watch;
-    Candidate candidate = refine(start, firstRound);
+    Candidate candidate = refine(start, firstShare);
     result_.times.refinement_s += watch.lap_s();
     if (candidate.associations < options_.minAssociations) return candidate;
     const RayCounts counts = allCounts(candidate.T_ref_cur);
@@ -222,7 +230,7 @@ class JointMatch
     keepIfBest(candidate);
     const bool canNarrow = options_.reassociations > 1 && candidate.score > 0;
     if (!canNarrow || isConvincing(candidate)) return;
-    if (freeSpaceScore(allCounts(start)) > candidate.score) keepIfBest(scored(start, 1));
+    if (freeSpaceScore(allCounts(start)) > candidate.score) keepIfBest(scored(start, 0.5));
   }
 
   void keepIfBest(const Candidate& candidate)

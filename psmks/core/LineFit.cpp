@@ -25,7 +25,6 @@ struct NormalSums
   std::array<double, 3> te{};  // sum of e t^k / c
   double ee = 0;
   double lag = 0;  // sum of e of neighbouring rays of the line
-  int rays = 0;
 };
 
 /** The same lane by lane. */
@@ -33,19 +32,18 @@ struct LaneSums
 {
   std::array<Lanes, 5> tt;
   std::array<Lanes, 3> te;
-  Lanes ee, rays;
+  Lanes ee;
   double lag = 0, previous = 0;
 
   LaneSums()
   {
     tt.fill(Lanes::Zero()), te.fill(Lanes::Zero());
-    ee = rays = Lanes::Zero();
+    ee = Lanes::Zero();
   }
 
-  /** @param belongs 1 where a ray counts, else 0 */
-  void add(const Lanes& inverseCosine, const Lanes& t, const Lanes& residual, const Lanes& belongs)
+  /** Rays that do not count have a and e of 0. */
+  void add(const Lanes& a, const Lanes& t, const Lanes& e)
   {
-    const Lanes a = inverseCosine * belongs, e = residual * belongs;
     Lanes product = a * a;
     for (Lanes& sum : tt)
     {
@@ -59,7 +57,6 @@ struct LaneSums
       product *= t;
     }
     ee += e * e;
-    rays += belongs;
     lag += previous * e[0] + e[0] * e[1];
     previous = e[1];
   }
@@ -71,7 +68,6 @@ struct LaneSums
     for (std::size_t k = 0; k < te.size(); ++k) sums.te[k] = te[k].sum();
     sums.ee = ee.sum();
     sums.lag = lag;
-    sums.rays = static_cast<int>(rays.sum());
     return sums;
   }
 };
@@ -92,9 +88,9 @@ Lanes belongs(const RayColumns& rays, int position, const RayRange& range)
   return result;
 }
 
-NormalSums accumulate(const RayColumns& rays, const RayRange& range, const Line& line)
+NormalSums accumulate(const RayColumns& rays, const RayRange& range, const LineStart& line)
 {
-  const double c0 = std::cos(line.phi0_rad), s0 = std::sin(line.phi0_rad);
+  const double c0 = line.normal.x(), s0 = line.normal.y();
   LaneSums sums;
   for (int p = range.first; p <= range.last; p += kLanes)
   {
@@ -104,13 +100,14 @@ NormalSums accumulate(const RayColumns& rays, const RayRange& range, const Line&
     const Lanes inverse = 1 / ((cosine * c0 + sine * s0) * counts + (1 - counts));
     const Lanes t = (sine * c0 - cosine * s0) * inverse;
     const Lanes residual = lanes(rays.range_m, p) - line.r0_m * inverse;
-    sums.add(inverse, t, residual, counts);
+    sums.add(inverse * counts, t, residual * counts);
   }
   return sums.total();
 }
 }  // namespace
 
-LineFit fitLine(const RayColumns& rays, const RayRange& range, const Line& start, double sigma_m)
+LineFit fitLine(const RayColumns& rays, const RayRange& range, const LineStart& start,
+                double sigma_m)
 {
   const double variance_m2 = sigma_m * sigma_m;
   const NormalSums n = accumulate(rays, range, start);
@@ -119,17 +116,19 @@ LineFit fitLine(const RayColumns& rays, const RayRange& range, const Line& start
   const double ae = n.te[0], be = -r0 * n.te[1];
   const double determinant = aa * bb - ab * ab;
   LineFit fit;
-  fit.rays = n.rays;
+  fit.rays = range.rays;
   if (!(determinant > 0)) return fit;
 
   const double dr0 = (bb * ae - ab * be) / determinant;
   const double dphi0 = (aa * be - ab * ae) / determinant;
   Eigen::Matrix2d inverse;
   inverse << bb, -ab, -ab, aa;
-  fit.line = Line::fromNormalForm(start.r0_m + dr0, start.phi0_rad + dphi0,
-                                  inverse * (variance_m2 / determinant));
+  const double phi0_rad = std::atan2(start.normal.y(), start.normal.x()) + dphi0;
+  fit.line =
+      Line::fromNormalForm(start.r0_m + dr0, phi0_rad, inverse * (variance_m2 / determinant));
+  fit.normal = fit.line.normal();
   fit.chi2 = std::max(0.0, n.ee - ae * dr0 - be * dphi0) / variance_m2;
-  fit.whiteness = n.lag / (variance_m2 * std::sqrt(n.rays));
+  fit.whiteness = n.lag / (variance_m2 * std::sqrt(range.rays));
 
   // Schur complement of the quadratic term on (r0, phi0)
   const double ag = r2 * n.tt[2], bg = -r0 * r2 * n.tt[3], gg = r2 * r2 * n.tt[4];

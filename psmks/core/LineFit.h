@@ -8,7 +8,8 @@ namespace psmks
 /** A line fitted to rays, with what tells whether they lie on one. */
 struct LineFit
 {
-  Line line;  //!< covariance for the given range sigma
+  Line line;                                          //!< covariance for the given range sigma
+  Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  //!< of the line
   int rays = 0;
   double chi2 = 0;  //!< sum of squared residuals / sigma^2; rays - 2 degrees of freedom
   double curvature_1_m =
@@ -19,15 +20,25 @@ struct LineFit
           //!< N(0, 1) on a straight line, large where two lines were taken for one
 };
 
-/** Positions `first` to `last`; those whose mark equals `mark` belong to the line. */
+/** Positions `first` to `last`; those whose mark equals `mark`, `rays` of them, belong to the line.
+ */
 struct RayRange
 {
   int first, last;
   int mark;
+  int rays;
+};
+
+/** Where a fit begins: the line n.p = r0. */
+struct LineStart
+{
+  Eigen::Vector2d normal;
+  double r0_m;
 };
 
 /** Least squares of (r0, phi0) over the rays of a range: one Gauss-Newton step from `start`, which
  * the linear filter's line is close enough for (it is off by less than its own sigma), and the
  * tests for curvature (a quadratic term along the line, fitted with it) and whiteness. */
-LineFit fitLine(const RayColumns& rays, const RayRange& range, const Line& start, double sigma_m);
+LineFit fitLine(const RayColumns& rays, const RayRange& range, const LineStart& start,
+                double sigma_m);
 }  // namespace psmks

@@ -78,7 +78,8 @@ class Pairing
 
   double index(const Eigen::Vector2d& p_ref_m) const
   {
-    return ref_.scan->grid.index(std::atan2(p_ref_m.y(), p_ref_m.x()));
+    return ref_.scan->grid.index(
+        fastBearing_rad(static_cast<float>(p_ref_m.y()), static_cast<float>(p_ref_m.x())));
   }
 
   void pairStraight(std::size_t c)

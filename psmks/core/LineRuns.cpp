@@ -97,15 +97,21 @@ int LineRuns::growSide(Filter& filter, LineRun& run, int index, int from, int st
   int lastBeforeOutlier = from;
   LineSums sumsBeforeOutlier = run.sums;
   Filter filterBeforeOutlier = filter;
+  int sinceRefusal = RayColumns::kBlock;  // rays that went singly since a block was refused
   for (int p = from + step; p != limit + step && hole <= kLongestHole; p += step)
   {
-    if (takeBlock(filter, run, index, p, step, limit))
+    if (sinceRefusal >= RayColumns::kBlock)
     {
-      last = p += step * (RayColumns::kBlock - 1);
-      sinceOutlier += RayColumns::kBlock;
-      hole = 0;
-      continue;
+      if (takeBlock(filter, run, index, p, step, limit))
+      {
+        last = p += step * (RayColumns::kBlock - 1);
+        sinceOutlier += RayColumns::kBlock;
+        hole = 0;
+        continue;
+      }
+      sinceRefusal = 0;
     }
+    ++sinceRefusal;
     if (!rays_.valid(p))
     {
       ++hole;
@@ -174,9 +180,11 @@ void LineRuns::contestCorners()
 /** Contested are the rays of either line within reach of the corner; either keeps a seed beyond
  * them.
  *
- *   left  o o o o o|. . . . . .|          all splits are tried: rays up to it to the left line,
- *                  |. . . . . .|o o o o   the others to the right line
- */
+ *   left  o o o o o|. . . . . .|          rays up to the split go to the left line, the others to
+ *                  |. . . . . .|o o o o   the right line
+ *
+ * From the split that growth has left, others are tried to both sides, until chi2 has not fallen
+ * for some rays. */
 void LineRuns::contest(int leftIndex, int rightIndex)
 {
   LineRun& left = runs_[static_cast<std::size_t>(leftIndex)];
@@ -184,39 +192,43 @@ void LineRuns::contest(int leftIndex, int rightIndex)
   const int reach = options_.cornerReach, kept = options_.seedRays;
   const int begin = std::max(left.last + 1 - reach, std::min(left.first + kept, left.last + 1));
   const int end = std::min(right.first + reach, std::max(right.last + 1 - kept, right.first));
-  const auto contested = [&](int p) { return mark(p) == leftIndex || mark(p) == rightIndex; };
 
-  // All contested rays to the right line ...
-  LineSums l = left.sums, r = right.sums;
+  Split best{right.first, left.sums, right.sums, left.sums.chi2_m2() + right.sums.chi2_m2()};
+  const Split grown = best;
+  moveSplit(grown, 1, end, rightIndex, best);
+  moveSplit(grown, -1, begin, leftIndex, best);
+  if (best.at == grown.at) return;
   for (int p = begin; p < end; ++p)
-    if (mark(p) == leftIndex)
-    {
-      l.removeMoments(moments(p));
-      r.addMoments(moments(p));
-    }
-  if (l.rays() < 2) return;
-
-  // ... and handed over to the left line one by one.
-  int bestSplit = begin;
-  double best_m2 = l.chi2_m2() + r.chi2_m2();
-  LineSums bestLeft = l, bestRight = r;
-  for (int p = begin; p < end; ++p)
-  {
-    if (!contested(p)) continue;
-    l.addMoments(moments(p));
-    r.removeMoments(moments(p));
-    const double sum_m2 = l.chi2_m2() + r.chi2_m2();
-    if (sum_m2 >= best_m2) continue;
-    best_m2 = sum_m2;
-    bestSplit = p + 1;
-    bestLeft = l;
-    bestRight = r;
-  }
-  for (int p = begin; p < end; ++p)
-    if (contested(p)) mark(p) = p < bestSplit ? leftIndex : rightIndex;
-  left.sums = bestLeft;
-  right.sums = bestRight;
+    if (mark(p) == leftIndex || mark(p) == rightIndex)
+      mark(p) = p < best.at ? leftIndex : rightIndex;
+  left.sums = best.left;
+  right.sums = best.right;
   settleEnds(left, right, leftIndex, rightIndex, begin, end);
+}
+
+/** Moves a split ray by ray, giving the rays of one line to the other, and keeps the best.
+ *  @param step +1: rays of the right line go to the left one, up to `limit` exclusive; -1: the
+ * other way, down to `limit` inclusive
+ *  @param from the mark of the rays that are given away */
+void LineRuns::moveSplit(Split split, int step, int limit, int from, Split& best) const
+{
+  constexpr int kPatience = 3;
+  LineSums& giving = step > 0 ? split.right : split.left;
+  LineSums& taking = step > 0 ? split.left : split.right;
+  for (int sinceBest = 0; split.at != limit && sinceBest < kPatience;)
+  {
+    const int p = step > 0 ? split.at : split.at - 1;
+    split.at += step;
+    if (mark(p) != from) continue;
+    giving.removeMoments(moments(p));
+    taking.addMoments(moments(p));
+    if (giving.rays() < 2) return;
+    split.chi2_m2 = split.left.chi2_m2() + split.right.chi2_m2();
+    ++sinceBest;
+    if (split.chi2_m2 >= best.chi2_m2) continue;
+    best = split;
+    sinceBest = 0;
+  }
 }
 
 /** After a contest: the ends of both lines are their outermost rays in the contested stretch. */
@@ -267,8 +279,9 @@ void LineRuns::mergeCollinear()
   {
     LineRun& left = runs_[kept];
     const LineRun& right = runs_[next];
+    const int from = static_cast<int>(next);
     const int to = static_cast<int>(collinear(left, right) ? kept : kept + 1);
-    reassign(right.first, right.last, static_cast<int>(next), to);
+    if (to != from) reassign(right.first, right.last, from, to);
     if (static_cast<std::size_t>(to) == kept)
     {
       left.sums += right.sums;

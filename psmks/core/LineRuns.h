@@ -57,7 +57,16 @@ class LineRuns
   void dropOutlyingStart(const Filter& grown, LineRun& run);
   bool seedAt(int position, LineSums& sums) const;
 
+  /** Where one line ends and the next begins. */
+  struct Split
+  {
+    int at;  //!< first position of the right line
+    LineSums left, right;
+    double chi2_m2;  //!< of both
+  };
+
   void contest(int left, int right);
+  void moveSplit(Split split, int step, int limit, int from, Split& best) const;
   void settleEnds(LineRun& left, LineRun& right, int leftIndex, int rightIndex, int begin, int end);
   bool collinear(const LineRun& left, const LineRun& right) const;
   void reassign(int firstPosition, int lastPosition, int from, int to);

@@ -71,7 +71,7 @@ void Matcher::segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedSc
 MatchResult Matcher::match(const SegmentedScan& reference, const SegmentedScan& current,
                            const Guess& guess, MatcherWorkspace& workspace, MatchTrace* trace) const
 {
-  const bool usable = isUsable(guess) && reference.validRays() > 0 && current.validRays() > 0;
+  const bool usable = isUsable(guess) && reference.hasValidRay() && current.hasValidRay();
   if (!usable) return invalidInput(guess);
   if (options_.scheme == Scheme::Paper)
     return matchByPaperScheme(reference, current, guess, options_.paper, externalSolvers_.get(),

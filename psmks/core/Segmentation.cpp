@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace psmks
 {
@@ -31,10 +32,10 @@ double settledSigma_m(const Scan& scan, const SegmentationOptions& options, cons
 /** The line of the marked rays by the paper's filter, or `otherwise` where it does not start. It
  * linearises at its estimate: it starts from as many rays as the paper's authors take for a seed,
  * or from all of a shorter line. */
-Line extendedFilterLine(const RayColumns& rays, const RayRange& range, int count, double sigma_m,
+Line extendedFilterLine(const RayColumns& rays, const RayRange& range, double sigma_m,
                         const Line& otherwise)
 {
-  const int startRays = std::min(kEkfStartRays, count);
+  const int startRays = std::min(kEkfStartRays, range.rays);
   PolarLineFilter filter(sigma_m);
   LineSums seed;
   bool started = false;
@@ -58,10 +59,14 @@ LineFit fitRun(const RayColumns& rays, const LineRun& run, int mark, double sigm
 {
   LineSums::Solution s{};
   if (!run.sums.solve(s)) return {};
-  const RayRange range{run.first, run.last, mark};
-  LineFit fit = fitLine(rays, range, s.line(sigma_m * sigma_m), sigma_m);
+  const RayRange range{run.first, run.last, mark, run.sums.rays()};
+  const double r0_m = 1 / std::sqrt(s.u0 * s.u0 + s.u1 * s.u1);
+  LineFit fit = fitLine(rays, range, {r0_m * Eigen::Vector2d(s.u0, s.u1), r0_m}, sigma_m);
   if (options.filter == LineFilter::Ekf)
-    fit.line = extendedFilterLine(rays, range, run.sums.rays(), sigma_m, fit.line);
+  {
+    fit.line = extendedFilterLine(rays, range, sigma_m, fit.line);
+    fit.normal = fit.line.normal();
+  }
   return fit;
 }
 
@@ -111,7 +116,12 @@ Segment makeSegment(const LineFit& fit, int firstRay, int lastRay, const Segment
   segment.rays = fit.rays;
   segment.sigma_m = scan.rangeSigma_m * std::sqrt(fit.chi2 / std::max(1, fit.rays - 2));
   const auto endAt = [&](int ray) -> Eigen::Vector2d
-  { return segment.line.rangeAt_m(scan.grid.bearing_rad(ray)) * scan.grid.direction(ray); };
+  {
+    const Eigen::Vector2d direction = scan.grid.direction(ray);
+    const double cosine = fit.normal.dot(direction);
+    return (cosine > 0 ? fit.line.r0_m / cosine : std::numeric_limits<double>::infinity()) *
+           direction;
+  };
   segment.firstEnd_m = endAt(firstRay);
   segment.lastEnd_m = endAt(lastRay);
   return segment;
@@ -146,7 +156,7 @@ class Finish
       finish(right, mark);
       return;
     }
-    if (LineRun trimmed = run; trimGrazing(fit.line, mark, trimmed))
+    if (LineRun trimmed = run; trimGrazing(fit.normal, mark, trimmed))
     {
       finish(trimmed, mark);
       return;
@@ -159,11 +169,10 @@ class Finish
 
   /** Takes rays that graze the line off both ends: bearing errors dominate there. False where none
    *  does, or where too few would be left. */
-  bool trimGrazing(const Line& line, int mark, LineRun& run)
+  bool trimGrazing(const Eigen::Vector2d& normal, int mark, LineRun& run)
   {
-    const Eigen::Vector2d n = line.normal();
     const auto grazes = [&](int position)
-    { return n.dot(scan_.grid.direction(rays_.ray(position))) < options_.minIncidenceCosine; };
+    { return normal.dot(scan_.grid.direction(rays_.ray(position))) < options_.minIncidenceCosine; };
     const LineRun whole = run;
     while (run.last - run.first >= options_.minRays && grazes(run.first)) ++run.first;
     while (run.last - run.first >= options_.minRays && grazes(run.last)) --run.last;

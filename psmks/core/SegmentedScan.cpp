@@ -10,6 +10,11 @@ int SegmentedScan::validRays() const
   return static_cast<int>(std::count_if(valid.begin(), valid.end(), [](auto v) { return v != 0; }));
 }
 
+bool SegmentedScan::hasValidRay() const
+{
+  return std::any_of(valid.begin(), valid.end(), [](auto v) { return v != 0; });
+}
+
 double SegmentedScan::denoisedRange_m(int ray) const
 {
   const Segment* segment = segmentAt(ray);

@@ -27,6 +27,7 @@ struct SegmentedScan
 
   int rays() const { return grid.count(); }
   int validRays() const;
+  bool hasValidRay() const;
   bool isValid(int ray) const { return valid[static_cast<std::size_t>(ray)] != 0; }
 
   /** The measured end point of a valid ray. */

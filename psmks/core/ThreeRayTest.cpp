@@ -80,12 +80,14 @@ double estimateRangeSigma_m(const RayColumns& rays, std::vector<double>& scratch
 
 bool mayShowNoiseAbove(const RayColumns& rays, double sigma_m)
 {
-  constexpr int kStep = 3;         // tests that share no ray
+  constexpr int kSmallestStep = 3;  // tests that share no ray
+  constexpr int kEnoughTests = 60;
   constexpr double kMargin = 0.8;  // for the scatter of the median of so many
   const double median_m = std::min(kEdge_m, kMargin * kMedianOfAbsoluteNormal * sigma_m);
+  const int step = std::max(kSmallestStep, rays.rays / kEnoughTests);
   const ThreeRays test(rays);
   int tests = 0, below = 0;
-  for (int p = 1; p < rays.rays - 1; p += kStep)
+  for (int p = 1; p < rays.rays - 1; p += step)
   {
     const Fraction f = test.at(p - 1, p, p + 1);
     const bool counts = test.valid(p - 1, p, p + 1) & (f.square <= kEdge_m * kEdge_m * f.variance);

@@ -25,7 +25,7 @@ void threeRayTests(const RayColumns& rays, std::vector<double>& tests_m2);
  * shape. */
 double estimateRangeSigma_m(const RayColumns& rays, std::vector<double>& scratch);
 
-/** False where that estimate is surely below a value: a count over every third test, many times
+/** False where that estimate is surely below a value: a count over some of the tests, many times
  * faster than the median. */
 bool mayShowNoiseAbove(const RayColumns& rays, double sigma_m);
 

@@ -160,7 +160,7 @@ TEST(PolarLineFilter, EndsNearTheBatchFitOfAWellConditionedWall)
     RayColumns columns;
     columns.load(segmentByWalls(scan, walls, {}));
     std::fill_n(columns.mark.begin(), 80, 0);
-    const LineFit batch = fitLine(columns, {0, 79, 0}, {2, 0, {}}, kSigma_m);
+    const LineFit batch = fitLine(columns, {0, 79, 0, 80}, {{1, 0}, 2}, kSigma_m);
 
     std::vector<MeasuredRay> rays;
     for (int i = 0; i < grid.count(); ++i)

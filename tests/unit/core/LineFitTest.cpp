@@ -26,7 +26,9 @@ RayColumns raysOf(const BeamGrid& grid, const std::function<double(double)>& ran
   return rays;
 }
 
-RayRange allOf(const RayColumns& rays) { return {0, rays.rays - 1, 0}; }
+RayRange allOf(const RayColumns& rays) { return {0, rays.rays - 1, 0, rays.rays}; }
+
+LineStart startAt(const Line& line) { return {line.normal(), line.r0_m}; }
 
 /** d range / d (r0, phi0) of every ray, by central differences of the line's own range. */
 Eigen::MatrixX2d numericRows(const BeamGrid& grid, const Line& line)
@@ -51,7 +53,7 @@ TEST(LineFit, ExactRaysGiveTheirLine)
 {
   const Line truth{2, 0.3, {}};
   const RayColumns rays = raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
-  const LineFit fit = fitLine(rays, allOf(rays), truth, kSigma_m);
+  const LineFit fit = fitLine(rays, allOf(rays), startAt(truth), kSigma_m);
   EXPECT_EQ(fit.rays, 61);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
   EXPECT_NEAR(fit.line.phi0_rad, 0.3, 1e-12);
@@ -70,7 +72,7 @@ TEST(LineFit, StepAndCovarianceAreThoseOfTheNumericDerivative)
     const RayColumns rays =
         raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
     const Line start{truth.r0_m + random.normal(0.003), truth.phi0_rad + random.normal(0.003), {}};
-    const LineFit fit = fitLine(rays, allOf(rays), start, kSigma_m);
+    const LineFit fit = fitLine(rays, allOf(rays), startAt(start), kSigma_m);
 
     const Eigen::MatrixX2d J = numericRows(kGrid, start);
     Eigen::VectorXd e(rays.rays);
@@ -93,7 +95,7 @@ TEST(LineFit, OnlyMarkedRaysOfTheRangeCount)
   rays.range_m[20] = 1;  // passed over: another mark
   rays.mark[20] = SegmentedScan::kNoSegment;
   rays.range_m[5] = 1;  // before the range
-  const LineFit fit = fitLine(rays, {10, 49, 0}, truth, kSigma_m);
+  const LineFit fit = fitLine(rays, {10, 49, 0, 39}, startAt(truth), kSigma_m);
   EXPECT_EQ(fit.rays, 39);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
 }
@@ -104,7 +106,7 @@ TEST(LineFit, ARangeGoesOnAcrossTheSeam)
   const Line truth{2, kPi, {}};  // the foot is at the seam
   const RayColumns rays = raysOf(
       grid, [&](double b) { return truth.rangeAt_m(b); }, 330);
-  const LineFit fit = fitLine(rays, {0, 59, 0}, truth, kSigma_m);
+  const LineFit fit = fitLine(rays, {0, 59, 0, 60}, startAt(truth), kSigma_m);
   EXPECT_EQ(fit.rays, 60);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
 }
@@ -125,7 +127,7 @@ TEST(LineFit, TheCurvatureOfARoundWallIsMeasured)
   SCOPED_TRACE(random.seedText());
   const RayColumns rays = raysOf(BeamGrid::centered(degToRad(20), 61),
                                  [&](double b) { return pillar(b) + random.normal(0.002); });
-  const LineFit fit = fitLine(rays, allOf(rays), {2.01, 0, {}}, 0.002);
+  const LineFit fit = fitLine(rays, allOf(rays), {{1, 0}, 2.01}, 0.002);
   EXPECT_GT(fit.curvature_1_m, 4.5 * fit.curvatureSigma_1_m);
   EXPECT_NEAR(fit.curvature_1_m, 1 / (2 * radius_m), 0.02);
 }
@@ -141,7 +143,7 @@ TEST(LineFit, AWallHasNoCurvatureAndWhiteResiduals)
     const Line truth{random.uniform(1, 4), random.uniform(-0.4, 0.4), {}};
     const RayColumns rays =
         raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
-    const LineFit fit = fitLine(rays, allOf(rays), truth, kSigma_m);
+    const LineFit fit = fitLine(rays, allOf(rays), startAt(truth), kSigma_m);
     curvature2 += std::pow(fit.curvature_1_m / fit.curvatureSigma_1_m, 2) / kWalls;
     whiteness += fit.whiteness / kWalls;
     whiteness2 += fit.whiteness * fit.whiteness / kWalls;
@@ -160,6 +162,6 @@ TEST(LineFit, AStepOfTwoCentimetresIsNotWhite)
   const Line far{2.02, 0, {}}, near{2, 0, {}};
   const RayColumns rays = raysOf(
       kGrid, [&](double b) { return (b < 0 ? far : near).rangeAt_m(b) + random.normal(0.005); });
-  EXPECT_GT(fitLine(rays, allOf(rays), {2.01, 0, {}}, 0.005).whiteness, 2.5);
+  EXPECT_GT(fitLine(rays, allOf(rays), {{1, 0}, 2.01}, 0.005).whiteness, 2.5);
 }
 }  // namespace psmks
