@@ -11,7 +11,10 @@ namespace psmks
 namespace
 {
 constexpr int kPairs = 100;
-constexpr double kTol_m = 1e-4, kTol_rad = degToRad(1e-3);
+
+// Gauss-Newton settles only for the last association: a ray at the edge of a gate may then have a
+// partner in one match and none in the other.
+constexpr double kTol_m = 2e-4, kTol_rad = degToRad(2e-3);
 
 /** Whole matches with Ceres against whole matches without, on random pairs in an office. */
 void expectSameMatches(const MatcherOptions& closedForm, const MatcherOptions& ceres)

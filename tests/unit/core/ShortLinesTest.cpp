@@ -126,6 +126,8 @@ TEST_F(ShortLinesTest, raysOfSegmentsAreLeftAlone)
 {
   see(kFarWall, 86, 92);
   scan_.segments.resize(1);
+  scan_.segments[0].firstRay = 86;
+  scan_.segments[0].lastRay = 89;
   for (std::size_t ray = 86; ray <= 89; ++ray) scan_.segmentOfRay[ray] = 0;
   ASSERT_EQ(found().size(), 1U);
   EXPECT_EQ(found()[0].firstRay, 90);
