@@ -2,7 +2,6 @@
 #include <psmks/core/FreeSpaceScore.h>
 #include <psmks/core/JointScheme.h>
 #include <psmks/core/JointSolver.h>
-#include <psmks/core/Observability.h>
 #include <psmks/core/Stopwatch.h>
 
 #include <Eigen/LU>
@@ -14,18 +13,7 @@ namespace psmks
 {
 namespace
 {
-/** A refined pose. */
-struct Candidate
-{
-  Pose2 T_ref_cur;
-  double score = -1;
-  int associations = 0;
-  double raysOn = 0;  //!< rays of a scan that lie on surfaces of the other, mean of both
-  bool converged = false;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  //!< of the scans alone
-  Observability observability;
-  double angleVariance_rad2 = 0;  //!< of the pair of lines whose directions are known best
-};
+using Candidate = RefinedPose;
 
 class JointMatch
 {
@@ -37,6 +25,7 @@ class JointMatch
     const double sigma_m =
         std::max(buffers.reference.scan->rangeSigma_m, buffers.current.scan->rangeSigma_m);
     tolerance_m_ = surfaceTolerance_m(sigma_m);
+    fewRaysSigma_m_ = kFewRays * sigma_m;
     result_.T_ref_cur = guess.T_ref_cur;
     if (!guess.covariance) return;
     result_.covariance = *guess.covariance;
@@ -49,6 +38,7 @@ class JointMatch
     result_.errorBefore = result_.errorAfter = 1 - guessScore;
     if (guessScore >= kPromising) consider(guess_.T_ref_cur);
     if (!isConvincing(best_)) searchFurther();
+    if (!guess_.covariance && isConvincing(best_) && isWeaklyHeld()) challenge();
     return conclude();
   }
 
@@ -56,6 +46,10 @@ class JointMatch
   static constexpr double kHopeless =
       0.75;  //!< rough score, as a share of the best, not worth a look
   static constexpr double kPromising = 0.5;  //!< rough score from which a guess is refined first
+
+  // Two rays on a wall ahead, one of each scan, know the distance to sqrt(2) sigma: as well as this
+  // by eight such pairs.
+  static constexpr double kFewRays = 0.5;
 
   // ---- scores ---------------------------------------------------------------------------------
 
@@ -122,10 +116,21 @@ class JointMatch
   bool agreesWithGuess(const Candidate& candidate) const
   {
     constexpr double kChi2At95With3Dof = 7.81;
-    if (!guess_.covariance) return false;
+    return guess_.covariance && chi2FromGuess(candidate) <= kChi2At95With3Dof;
+  }
+
+  /** Whether the guess was measured and the candidate lies outside its 99.9 % ellipsoid. */
+  bool contradictsGuess(const Candidate& candidate) const
+  {
+    constexpr double kChi2At999With3Dof = 16.27;
+    return guess_.covariance && chi2FromGuess(candidate) > kChi2At999With3Dof;
+  }
+
+  double chi2FromGuess(const Candidate& candidate) const
+  {
     const Pose2 &a = candidate.T_ref_cur, &b = guess_.T_ref_cur;
     const Eigen::Vector3d apart(a.x_m - b.x_m, a.y_m - b.y_m, wrapAngle(a.phi_rad - b.phi_rad));
-    return apart.dot(guessPrior_.information * apart) <= kChi2At95With3Dof;
+    return apart.dot(guessPrior_.information * apart);
   }
 
   // ---- refinement -----------------------------------------------------------------------------
@@ -240,6 +245,7 @@ class JointMatch
     if (trace_)
       trace_->steps.push_back(
           {"gauss-newton", candidate.T_ref_cur, candidate.score, candidate.associations, 0});
+    buffers_.considered.push_back(candidate);
     if (best_.score > 0 && merit(candidate) <= merit(best_)) return;
     best_ = candidate;
   }
@@ -287,26 +293,34 @@ class JointMatch
    * refined. */
   void slide()
   {
+    findPlacesAlong();
+    for (const Hypothesis& place : buffers_.hypotheses)
+    {
+      if (isConvincing(best_)) return;
+      consider(place.T_ref_cur);
+    }
+  }
+
+  void findPlacesAlong()
+  {
     constexpr double kStep_m = 0.1;
     Stopwatch watch;
-    const Pose2 start = best_.T_ref_cur;
     const Eigen::Vector2d step_m = kStep_m * best_.observability.weakDirection;
     const int reach = static_cast<int>(options_.searchRadius_m / kStep_m);
     std::vector<Hypothesis>& places = buffers_.hypotheses;
     places.clear();
     for (int k = -reach; k <= reach; ++k)
     {
-      Pose2 T = start;
-      T.x_m += k * step_m.x(), T.y_m += k * step_m.y();
+      const Pose2 T = moved(best_.T_ref_cur, k * step_m);
       places.push_back({T, 0, roughScore(T) - remoteness(T)});
     }
     keepPeaks(places);
     result_.times.search_s += watch.lap_s();
-    for (const Hypothesis& place : places)
-    {
-      if (isConvincing(best_)) return;
-      consider(place.T_ref_cur);
-    }
+  }
+
+  static Pose2 moved(const Pose2& T, const Eigen::Vector2d& by_m)
+  {
+    return {T.x_m + by_m.x(), T.y_m + by_m.y(), T.phi_rad};
   }
 
   /** Of scores in a row the highest maxima, highest first, without the one in the middle, which is
@@ -344,7 +358,8 @@ class JointMatch
       return failed(MatchStatus::TooFewAssociations);
     result_.score = best_.score;
     result_.associations = best_.associations;
-    if (best_.score < options_.acceptScore) return failed(MatchStatus::NoImprovement);
+    const double enough = contradictsGuess(best_) ? options_.agreedScore : options_.acceptScore;
+    if (best_.score < enough) return failed(MatchStatus::NoImprovement);
 
     Stopwatch watch;
     result_.status = best_.converged ? MatchStatus::Converged : MatchStatus::MaxIterations;
@@ -355,9 +370,47 @@ class JointMatch
                                       ? guess_.covariance->inverse().eval()
                                       : MatchResult::unknownCovariance().inverse().eval();
     result_.covariance = (best_.information + prior).inverse();
+    if (isWeaklyHeld()) tellOfRivals();
     if (fewStraightLines() && isHeadingOpen()) leaveHeadingOpen(prior);
     result_.times.scoring_s += watch.lap_s();
     return result_;
+  }
+
+  // ---- rivals ---------------------------------------------------------------------------------
+
+  /** Whether a direction is held by a few rays, of a door jamb or of somebody's legs. */
+  bool isWeaklyHeld() const { return best_.observability.weakSigma_m > fewRaysSigma_m_; }
+
+  /** Starts beside a pose that is weakly held and at other good places along the same walls: they
+   * come back, or they are rivals. */
+  void challenge()
+  {
+    constexpr double kAside_m = 0.2;
+    const Pose2 held = best_.T_ref_cur;
+    const Eigen::Vector2d aside_m = kAside_m * best_.observability.weakDirection;
+    findPlacesAlong();
+    consider(moved(held, aside_m));
+    consider(moved(held, -aside_m));
+    for (const Hypothesis& place : buffers_.hypotheses) consider(place.T_ref_cur);
+  }
+
+  /** Where another pose along the same walls explains as much, the position between both is open.
+   */
+  void tellOfRivals()
+  {
+    constexpr double kSameHeading_rad = degToRad(2), kElsewhere_m = 0.1, kNearTie = 0.05;
+    for (const Candidate& other : buffers_.considered)
+    {
+      const Pose2 apart = best_.T_ref_cur.inverse() * other.T_ref_cur;
+      const bool isElsewhere =
+          apart.translation().norm() > kElsewhere_m && std::abs(apart.phi_rad) < kSameHeading_rad;
+      if (!isElsewhere || other.score < best_.score - kNearTie || contradictsGuess(other)) continue;
+      const Eigen::Vector2d between_m =
+          other.T_ref_cur.translation() - best_.T_ref_cur.translation();
+      result_.status = MatchStatus::Degenerate;
+      result_.unobservableDirection = between_m.normalized();
+      result_.covariance.topLeftCorner<2, 2>() += between_m * between_m.transpose();
+    }
   }
 
   // ---- curved surroundings --------------------------------------------------------------------
@@ -444,6 +497,7 @@ class JointMatch
   JointBuffers& buffers_;
   MatchTrace* trace_;
   float tolerance_m_ = 0;
+  double fewRaysSigma_m_ = 0;  //!< a direction known worse is held by a few rays alone
   PriorTerm guessPrior_;
   Candidate best_;
   int mostAssociations_ = 0;
@@ -456,6 +510,7 @@ MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedSc
                                const ExternalSolvers* external, JointBuffers& buffers,
                                MatchTrace* trace)
 {
+  buffers.considered.clear();
   buffers.reference.build(reference);
   buffers.current.build(current);
   return JointMatch(guess, options, external, buffers, trace).run();
