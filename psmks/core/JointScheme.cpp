@@ -90,12 +90,16 @@ class JointMatch
    * tolerance of most surfaces, but the lines there are then no pairs. */
   bool isConvincing(const Candidate& candidate) const
   {
-    constexpr double kFewestHeld = 0.5;
     const double enough =
         agreesWithGuess(candidate) ? options_.agreedScore : options_.confidentScore;
-    return candidate.converged && candidate.score >= enough &&
-           candidate.associations >= kFewestHeld * candidate.raysOn &&
+    return candidate.converged && candidate.score >= enough && isHeldByLines(candidate) &&
            (guess_.covariance || isPositionFixed(candidate));
+  }
+
+  static bool isHeldByLines(const Candidate& candidate)
+  {
+    constexpr double kFewestHeld = 0.5;
+    return candidate.associations >= kFewestHeld * candidate.raysOn;
   }
 
   bool isPositionFixed(const Candidate& candidate) const
@@ -116,19 +120,19 @@ class JointMatch
   bool agreesWithGuess(const Candidate& candidate) const
   {
     constexpr double kChi2At95With3Dof = 7.81;
-    return guess_.covariance && chi2FromGuess(candidate) <= kChi2At95With3Dof;
+    return guess_.covariance && chi2FromGuess(candidate.T_ref_cur) <= kChi2At95With3Dof;
   }
 
-  /** Whether the guess was measured and the candidate lies outside its 99.9 % ellipsoid. */
-  bool contradictsGuess(const Candidate& candidate) const
+  /** Whether the guess was measured and the pose lies outside its 99.9 % ellipsoid. */
+  bool contradictsGuess(const Pose2& T_ref_cur) const
   {
     constexpr double kChi2At999With3Dof = 16.27;
-    return guess_.covariance && chi2FromGuess(candidate) > kChi2At999With3Dof;
+    return guess_.covariance && chi2FromGuess(T_ref_cur) > kChi2At999With3Dof;
   }
 
-  double chi2FromGuess(const Candidate& candidate) const
+  double chi2FromGuess(const Pose2& T_ref_cur) const
   {
-    const Pose2 &a = candidate.T_ref_cur, &b = guess_.T_ref_cur;
+    const Pose2 &a = T_ref_cur, &b = guess_.T_ref_cur;
     const Eigen::Vector3d apart(a.x_m - b.x_m, a.y_m - b.y_m, wrapAngle(a.phi_rad - b.phi_rad));
     return apart.dot(guessPrior_.information * apart);
   }
@@ -162,10 +166,16 @@ class JointMatch
       const Pose2 before = candidate.T_ref_cur;
       candidate.converged =
           solve(problem, last ? finalLimits() : limitsWithin(gates), candidate.T_ref_cur);
-      if (!last && isWithin(before.inverse() * candidate.T_ref_cur, kLastShare, gates))
+      if (!last && pairsMostRays(candidate) &&
+          isWithin(before.inverse() * candidate.T_ref_cur, kLastShare, gates))
         round = options_.reassociations - 2;  // near enough for the last gates
     }
     return candidate;
+  }
+
+  bool pairsMostRays(const Candidate& candidate) const
+  {
+    return 2 * static_cast<std::size_t>(candidate.associations) > buffers_.current.points.size();
   }
 
   static bool isWithin(const Pose2& motion, double share, const PairingGates& gates)
@@ -192,7 +202,7 @@ class JointMatch
   /** Before another association, with gates half as wide, a pose need not settle to the end. */
   SolverLimits limitsWithin(const PairingGates& gates) const
   {
-    constexpr double kShare = 0.05;
+    constexpr double kShare = 0.01;
     return {options_.maxIterations, std::max(options_.stopTranslation_m, kShare * gates.distance_m),
             std::max(options_.stopRotation_rad, kShare * gates.angle_rad)};
   }
@@ -284,13 +294,13 @@ class JointMatch
       if (hypotheses[i].score < kHopeless * best_.score) break;
       consider(hypotheses[i].T_ref_cur);
     }
-    if (best_.score > 0 && !isConvincing(best_)) slide();
+    if (!guess_.covariance && best_.score > 0 && !isConvincing(best_)) slide();
   }
 
   /** Along a wall with little else to see, lines leave open where a pose is, and wrong pairs may
    * hold it anywhere. Single rays then know better: the places along the direction that is known
    * worst are scored, and those that explain more than the best pose so far, or about as much, are
-   * refined. */
+   * refined. Where the guess was measured, it tells the place along the wall. */
   void slide()
   {
     findPlacesAlong();
@@ -312,7 +322,8 @@ class JointMatch
     for (int k = -reach; k <= reach; ++k)
     {
       const Pose2 T = moved(best_.T_ref_cur, k * step_m);
-      places.push_back({T, 0, roughScore(T) - remoteness(T)});
+      const bool isKnown = std::abs(k) <= 1;
+      places.push_back({T, isKnown ? 0.0 : 1.0, roughScore(T) - remoteness(T)});
     }
     keepPeaks(places);
     result_.times.search_s += watch.lap_s();
@@ -323,13 +334,11 @@ class JointMatch
     return {T.x_m + by_m.x(), T.y_m + by_m.y(), T.phi_rad};
   }
 
-  /** Of scores in a row the highest maxima, highest first, without the one in the middle, which is
-   * known. */
+  /** Of scores in a row the highest maxima, highest first, among those with a vote. */
   static void keepPeaks(std::vector<Hypothesis>& row)
   {
     constexpr std::size_t kMost = 2;
     constexpr double kAsGood = 0.05;
-    const std::size_t middle = row.size() / 2;
     double best = 0;
     for (const Hypothesis& place : row) best = std::max(best, place.score);
     const auto notAbove = [&](std::size_t i, double score)
@@ -338,11 +347,8 @@ class JointMatch
     for (std::size_t i = 0; i < row.size(); ++i)
     {
       const double own = row[i].score;
-      const bool isNew = i + 1 < middle || i > middle + 1;
-      const bool isPeak =
-          isNew && notAbove(i - 1, own) && notAbove(i + 1, own) && own > best - kAsGood;
-      row[i].votes = isPeak;
-      peaks += isPeak;
+      if (!notAbove(i - 1, own) || !notAbove(i + 1, own) || own <= best - kAsGood) row[i].votes = 0;
+      peaks += row[i].votes > 0;
     }
     std::sort(row.begin(), row.end(),
               [](const Hypothesis& a, const Hypothesis& b)
@@ -358,7 +364,8 @@ class JointMatch
       return failed(MatchStatus::TooFewAssociations);
     result_.score = best_.score;
     result_.associations = best_.associations;
-    const double enough = contradictsGuess(best_) ? options_.agreedScore : options_.acceptScore;
+    const double enough =
+        contradictsGuess(best_.T_ref_cur) ? options_.agreedScore : options_.acceptScore;
     if (best_.score < enough) return failed(MatchStatus::NoImprovement);
 
     Stopwatch watch;
@@ -370,7 +377,7 @@ class JointMatch
                                       ? guess_.covariance->inverse().eval()
                                       : MatchResult::unknownCovariance().inverse().eval();
     result_.covariance = (best_.information + prior).inverse();
-    if (isWeaklyHeld()) tellOfRivals();
+    tellOfRivals();
     if (fewStraightLines() && isHeadingOpen()) leaveHeadingOpen(prior);
     result_.times.scoring_s += watch.lap_s();
     return result_;
@@ -398,13 +405,16 @@ class JointMatch
    */
   void tellOfRivals()
   {
-    constexpr double kSameHeading_rad = degToRad(2), kElsewhere_m = 0.1, kNearTie = 0.05;
+    constexpr double kSameHeading_rad = degToRad(2), kElsewhere_m = 0.1;
+    constexpr double kNearTie = 0.05, kNearTieUnheld = 0.2;
+    const double tie = isHeldByLines(best_) ? kNearTie : kNearTieUnheld;
     for (const Candidate& other : buffers_.considered)
     {
       const Pose2 apart = best_.T_ref_cur.inverse() * other.T_ref_cur;
       const bool isElsewhere =
           apart.translation().norm() > kElsewhere_m && std::abs(apart.phi_rad) < kSameHeading_rad;
-      if (!isElsewhere || other.score < best_.score - kNearTie || contradictsGuess(other)) continue;
+      if (!isElsewhere || other.score < best_.score - tie || contradictsGuess(other.T_ref_cur))
+        continue;
       const Eigen::Vector2d between_m =
           other.T_ref_cur.translation() - best_.T_ref_cur.translation();
       result_.status = MatchStatus::Degenerate;
