@@ -139,49 +139,73 @@ class JointMatch
 
   // ---- refinement -----------------------------------------------------------------------------
 
-  /** @param firstShare of the gates, for the first association; the last has a quarter of them */
+  /** Associations with gates that narrow, each followed by Gauss-Newton; where the last one moves
+   * the pose far it is made again.
+   *  @param firstShare of the gates, for the first association */
   Candidate refine(const Pose2& start, double firstShare)
   {
-    constexpr double kLastShare = 0.25;
-    // A start is off by a tenth of the gates or so. Until then whole lines lead the way: single
-    // rays are many, and those on other objects than their partners too.
-    constexpr double kSlack = 0.1;
-    JointProblem& problem = buffers_.problem;
+    constexpr double kLastShare = 0.25, kSettled = 0.1;
+    constexpr int kMostRepeats = 2;
     Candidate candidate;
     candidate.T_ref_cur = start;
-    for (int round = 0; round < options_.reassociations; ++round)
+    for (int round = 0; round + 1 < options_.reassociations; ++round)
     {
-      const bool last = round + 1 == options_.reassociations;
-      const double share = last && round > 0 ? kLastShare : std::ldexp(firstShare, -round);
-      PairingGates gates{share * options_.distanceGate_m, share * options_.angleGate_rad,
-                         options_.singleRayWeight};
-      gates.singleRaySlack_m = last ? 0 : kSlack * gates.distance_m;
-      gates.fine = last;
-      problem.clear();
-      problem.kernelWidth = options_.kernelWidth;
-      problem.prior = guess_.covariance ? guessPrior_ : startPrior(candidate.T_ref_cur);
-      candidate.associations =
-          pairLines(buffers_.reference, buffers_.current, candidate.T_ref_cur, gates, problem);
+      const double share = std::ldexp(firstShare, -round);
+      const Pose2 motion = associate(share, false, candidate);
+      if (candidate.associations < options_.minAssociations) return candidate;
+      if (pairsMostRays(candidate) && isWithin(motion, share * kLastShare)) break;
+    }
+    const double lastShare = options_.reassociations > 1 ? kLastShare : firstShare;
+    for (int repeat = 0; repeat <= kMostRepeats; ++repeat)
+    {
+      const Pose2 motion = associate(lastShare, true, candidate);
       if (candidate.associations < options_.minAssociations) break;
-      const Pose2 before = candidate.T_ref_cur;
-      candidate.converged =
-          solve(problem, last ? finalLimits() : limitsWithin(gates), candidate.T_ref_cur);
-      if (!last && pairsMostRays(candidate) &&
-          isWithin(before.inverse() * candidate.T_ref_cur, kLastShare, gates))
-        round = options_.reassociations - 2;  // near enough for the last gates
+      if (isWithin(motion, lastShare * kSettled)) break;
     }
     return candidate;
   }
 
-  bool pairsMostRays(const Candidate& candidate) const
+  /** One association and the pose that follows from it.
+   *  @param share of the gates
+   *  @param last whether to pair short lines and circles too, and to settle to the end
+   *  @return the motion of the pose */
+  Pose2 associate(double share, bool last, Candidate& candidate)
   {
-    return 2 * static_cast<std::size_t>(candidate.associations) > buffers_.current.points.size();
+    // A start is off by a tenth of the gates or so. Until then whole lines lead the way: single
+    // rays are many, and those on other objects than their partners too.
+    constexpr double kSlack = 0.1;
+    PairingGates gates{share * options_.distanceGate_m, share * options_.angleGate_rad,
+                       options_.singleRayWeight};
+    gates.singleRaySlack_m = last ? 0 : kSlack * gates.distance_m;
+    gates.fine = last;
+    const Pose2 before = candidate.T_ref_cur;
+    JointProblem& problem = buffers_.problem;
+    problem.clear();
+    problem.kernelWidth = options_.kernelWidth;
+    problem.prior = guess_.covariance ? guessPrior_ : startPrior(before);
+    candidate.associations =
+        pairLines(buffers_.reference, buffers_.current, before, gates, problem);
+    if (candidate.associations < options_.minAssociations) return {};
+    candidate.converged =
+        solve(problem, last ? finalLimits() : limitsWithin(gates), candidate.T_ref_cur);
+    return before.inverse() * candidate.T_ref_cur;
   }
 
-  static bool isWithin(const Pose2& motion, double share, const PairingGates& gates)
+  bool pairsMostRays(const Candidate& candidate) const
   {
-    return motion.translation().norm() < share * gates.distance_m &&
-           std::abs(motion.phi_rad) < share * gates.angle_rad;
+    return 2 * candidate.associations > buffers_.current.scan->rays();
+  }
+
+  bool pairsManyRays(const Candidate& candidate) const
+  {
+    return 4 * candidate.associations > buffers_.current.scan->rays();
+  }
+
+  /** Whether a motion is small beside this share of the gates. */
+  bool isWithin(const Pose2& motion, double share) const
+  {
+    return motion.translation().norm() < share * options_.distanceGate_m &&
+           std::abs(motion.phi_rad) < share * options_.angleGate_rad;
   }
 
   /** A pull towards the start of an association so weak that it acts only along what the scans do
@@ -294,13 +318,14 @@ class JointMatch
       if (hypotheses[i].score < kHopeless * best_.score) break;
       consider(hypotheses[i].T_ref_cur);
     }
-    if (!guess_.covariance && best_.score > 0 && !isConvincing(best_)) slide();
+    if (!guess_.covariance && !isConvincing(best_) && pairsManyRays(best_)) slide();
   }
 
   /** Along a wall with little else to see, lines leave open where a pose is, and wrong pairs may
    * hold it anywhere. Single rays then know better: the places along the direction that is known
    * worst are scored, and those that explain more than the best pose so far, or about as much, are
-   * refined. Where the guess was measured, it tells the place along the wall. */
+   * refined. Where the guess was measured, it tells the place along the wall; and scans that have
+   * little in common may fit anywhere by chance. */
   void slide()
   {
     findPlacesAlong();
