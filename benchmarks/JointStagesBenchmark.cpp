@@ -1,0 +1,98 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <benchmark/benchmark.h>
+#include <benchmarks/RoomPair.h>
+#include <psmks/core/FreeSpaceScore.h>
+#include <psmks/core/Hypotheses.h>
+#include <psmks/core/JointSolver.h>
+#include <psmks/core/LinePairing.h>
+#include <psmks/core/Matcher.h>
+
+namespace psmks
+{
+namespace
+{
+/** The room pair after its segmentation, as the stages of a joint match find it. */
+struct Stages
+{
+  explicit Stages(const benchmark::State& state) : pair(static_cast<int>(state.range(0)))
+  {
+    const Matcher matcher;
+    MatcherWorkspace workspace;
+    matcher.segment(pair.reference, workspace, segmentedReference);
+    matcher.segment(pair.current, workspace, segmentedCurrent);
+    reference.build(segmentedReference);
+    current.build(segmentedCurrent);
+  }
+
+  RoomPair pair;
+  SegmentedScan segmentedReference, segmentedCurrent;
+  MatchView reference, current;
+  JointProblem problem;
+};
+
+constexpr PairingGates kLastGates{0.05, degToRad(2.5), 0.5, 0, true};
+
+/** What is derived from a scan before it is matched: surfaces, short lines, circles. */
+void view(benchmark::State& state)
+{
+  Stages s(state);
+  for (auto _ : state)
+  {
+    s.current.build(s.segmentedCurrent);
+    benchmark::DoNotOptimize(s.current.lines.data());
+  }
+}
+
+void association(benchmark::State& state)
+{
+  Stages s(state);
+  for (auto _ : state)
+  {
+    s.problem.clear();
+    benchmark::DoNotOptimize(
+        pairLines(s.reference, s.current, s.pair.T_ref_cur_true, kLastGates, s.problem));
+  }
+}
+
+/** From 1 cm and half a degree away. */
+void gaussNewton(benchmark::State& state)
+{
+  Stages s(state);
+  pairLines(s.reference, s.current, s.pair.T_ref_cur_true, kLastGates, s.problem);
+  const SolverLimits limits{10, 1e-4, degToRad(1e-3)};
+  for (auto _ : state)
+  {
+    Pose2 T = s.pair.T_ref_cur_true * Pose2{0.01, 0, degToRad(0.5)};
+    benchmark::DoNotOptimize(solveByGaussNewton(s.problem, limits, T));
+  }
+}
+
+/** The rays of one scan against the surfaces of the other. */
+void score(benchmark::State& state)
+{
+  Stages s(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        countRays(s.current.points, s.reference.surface, s.pair.T_ref_cur_true, 0.04f));
+}
+
+void hypotheses(benchmark::State& state)
+{
+  Stages s(state);
+  HypothesisSearch search;
+  std::vector<Hypothesis> found;
+  for (auto _ : state)
+  {
+    found.clear();
+    search.propose(s.reference, s.current, {}, {1.3, degToRad(60), 4}, found);
+    benchmark::DoNotOptimize(found.data());
+  }
+}
+
+BENCHMARK(view)->Arg(361);
+BENCHMARK(association)->Arg(361);
+BENCHMARK(gaussNewton)->Arg(361);
+BENCHMARK(score)->Arg(361);
+BENCHMARK(hypotheses)->Arg(361);
+}  // namespace
+}  // namespace psmks
