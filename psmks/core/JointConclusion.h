@@ -1,0 +1,42 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/PoseJudge.h>
+#include <psmks/core/Refinement.h>
+
+namespace psmks
+{
+/** What the best pose of a joint match is worth: accepts it or fails, finds out what it leaves
+ * open, puts that back to the guess, and tells how well the rest is known. */
+class JointConclusion
+{
+ public:
+  /** @param best kept by reference */
+  JointConclusion(JointMatch& match, const PoseJudge& judge, Refinement& refinement,
+                  const RefinedPose& best)
+      : match_(match), judge_(judge), refinement_(refinement), best_(best), result_(match.result)
+  {
+  }
+
+  /** Completes the result of the match.
+   *  @param mostAssociations of any start */
+  void conclude(int mostAssociations);
+
+ private:
+  void accept();
+  void settleUnobservable();
+  void settleDirection(const Eigen::Vector2d& weakDirection, double weakSigma_m);
+  void tellOfRivals();
+  bool isRival(const RefinedPose& other) const;
+  bool isHeadingOpen();
+  bool staysAway(double turn_rad);
+  bool explainsAsMuch(const RefinedPose& other) const;
+  void leaveHeadingOpen(double priorInformation);
+
+  JointMatch& match_;
+  const PoseJudge& judge_;
+  Refinement& refinement_;
+  const RefinedPose& best_;
+  MatchResult& result_;
+};
+}  // namespace psmks

@@ -1,0 +1,25 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/JointMatch.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace psmks
+{
+JointMatch::JointMatch(const Guess& guess_, const JointOptions& options_,
+                       const ExternalSolvers* external_, JointBuffers& buffers_, MatchTrace* trace_)
+    : guess(guess_),
+      options(options_),
+      external(external_),
+      buffers(buffers_),
+      trace(trace_),
+      rangeSigma_m(
+          std::max(buffers_.reference.scan->rangeSigma_m, buffers_.current.scan->rangeSigma_m)),
+      scores(buffers_.reference, buffers_.current, rangeSigma_m)
+{
+  result.T_ref_cur = guess.T_ref_cur;
+  if (!guess.covariance) return;
+  result.covariance = *guess.covariance;
+  guessPrior = {guess.T_ref_cur, guess.covariance->inverse()};
+}
+}  // namespace psmks

@@ -1,0 +1,50 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/ExternalSolvers.h>
+#include <psmks/core/Guess.h>
+#include <psmks/core/Hypotheses.h>
+#include <psmks/core/JointOptions.h>
+#include <psmks/core/JointProblem.h>
+#include <psmks/core/MatchResult.h>
+#include <psmks/core/MatchTrace.h>
+#include <psmks/core/RefinedPose.h>
+#include <psmks/core/ScanScores.h>
+
+#include <optional>
+#include <vector>
+
+namespace psmks
+{
+/** The buffers of a joint match, kept from one to the next. */
+struct JointBuffers
+{
+  MatchView reference, current;
+  HypothesisSearch search;
+  std::vector<Hypothesis> hypotheses;
+  std::vector<RefinedPose> considered;
+  JointProblem problem;
+};
+
+/** What the steps of one joint match share: what is asked, the buffers, and the result as far as it
+ * is known. Steps add their iterations and times to the result as they go. */
+struct JointMatch
+{
+  /** All arguments are kept by reference; the views of the buffers are those of the scans.
+   *  @param external null unless options.solver is Ceres
+   *  @param trace may be null */
+  JointMatch(const Guess& guess, const JointOptions& options, const ExternalSolvers* external,
+             JointBuffers& buffers, MatchTrace* trace);
+
+  const Guess& guess;
+  const JointOptions& options;
+  const ExternalSolvers* external;
+  JointBuffers& buffers;
+  MatchTrace* trace;
+
+  double rangeSigma_m;                  //!< of the noisier scan
+  ScanScores scores;                    //!< of poses for these scans
+  std::optional<PriorTerm> guessPrior;  //!< the guess, where it was measured
+  MatchResult result;
+};
+}  // namespace psmks

@@ -1,0 +1,69 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/PoseJudge.h>
+
+namespace psmks
+{
+bool PoseJudge::isConvincing(const RefinedPose& pose) const
+{
+  const JointOptions& options = match_.options;
+  const double enough =
+      agreesWithGuess(pose.T_ref_cur) ? options.agreedScore : options.confidentScore;
+  return pose.converged && pose.score >= enough && isHeldByLines(pose) &&
+         (match_.guessPrior || isPositionFixed(pose));
+}
+
+double PoseJudge::merit(const RefinedPose& pose) const
+{
+  constexpr double kSliding = 0.02;
+  return pose.score - (isPositionFixed(pose) ? 0 : kSliding);
+}
+
+bool PoseJudge::isHeldByLines(const RefinedPose& pose) const
+{
+  constexpr double kFewestHeld = 0.5;
+  return pose.associations >= kFewestHeld * pose.raysOn;
+}
+
+bool PoseJudge::isPositionFixed(const RefinedPose& pose) const
+{
+  return pose.observability.weakSigma_m <= match_.options.weakDirectionSigma_m;
+}
+
+bool PoseJudge::isWeaklyHeld(const RefinedPose& pose) const
+{
+  // Two rays on a wall ahead, one of each scan, know the distance to sqrt(2) sigma: as well as this
+  // by eight such pairs.
+  constexpr double kFewRays = 0.5;
+  return pose.observability.weakSigma_m > kFewRays * match_.rangeSigma_m;
+}
+
+bool PoseJudge::pairsManyRays(const RefinedPose& pose) const
+{
+  return 4 * pose.associations > match_.buffers.current.scan->rays();
+}
+
+bool PoseJudge::hasFewStraightLines(const RefinedPose& pose) const
+{
+  constexpr double kWellKnown_rad = degToRad(0.25);
+  return pose.angleVariance_rad2 >= kWellKnown_rad * kWellKnown_rad;
+}
+
+bool PoseJudge::agreesWithGuess(const Pose2& T_ref_cur) const
+{
+  constexpr double kChi2At95With3Dof = 7.81;
+  return match_.guessPrior && chi2FromGuess(T_ref_cur) <= kChi2At95With3Dof;
+}
+
+bool PoseJudge::contradictsGuess(const Pose2& T_ref_cur) const
+{
+  constexpr double kChi2At999With3Dof = 16.27;
+  return match_.guessPrior && chi2FromGuess(T_ref_cur) > kChi2At999With3Dof;
+}
+
+double PoseJudge::chi2FromGuess(const Pose2& T_ref_cur) const
+{
+  const Pose2 &a = T_ref_cur, &b = match_.guess.T_ref_cur;
+  const Eigen::Vector3d apart(a.x_m - b.x_m, a.y_m - b.y_m, wrapAngle(a.phi_rad - b.phi_rad));
+  return apart.dot(match_.guessPrior->information * apart);
+}
+}  // namespace psmks

@@ -1,0 +1,142 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Refinement.h>
+#include <psmks/core/Stopwatch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace psmks
+{
+namespace
+{
+/** A pull towards the start of an association so weak that it acts only along what the scans do
+ * not fix: there the estimate would wander with the noise. */
+PriorTerm startPrior(const Pose2& start)
+{
+  constexpr double kSigma_m = 0.3, kSigma_rad = degToRad(20);
+  const Eigen::Vector3d information(1 / (kSigma_m * kSigma_m), 1 / (kSigma_m * kSigma_m),
+                                    1 / (kSigma_rad * kSigma_rad));
+  return {start, information.asDiagonal()};
+}
+}  // namespace
+
+RefinedPose Refinement::refine(const Pose2& start, double firstShare)
+{
+  Stopwatch watch;
+  RefinedPose pose = alternate(start, firstShare);
+  match_.result.times.refinement_s += watch.lap_s();
+  if (hasTooFew(pose)) return pose;
+  score(pose);
+  match_.result.times.scoring_s += watch.lap_s();
+  return pose;
+}
+
+/** Associations with gates that narrow, each followed by Gauss-Newton; where the last one moves
+ * the pose far it is made again. */
+RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
+{
+  constexpr double kLastShare = 0.25, kSettled = 0.1;
+  constexpr int kMostRepeats = 2;
+  const int rounds = match_.options.reassociations;
+  RefinedPose pose;
+  pose.T_ref_cur = start;
+  for (int round = 0; round + 1 < rounds; ++round)
+  {
+    const double share = std::ldexp(firstShare, -round);
+    const Pose2 motion = associate(share, false, pose);
+    if (hasTooFew(pose)) return pose;
+    if (pairsMostRays(pose) && isWithin(motion, share * kLastShare)) break;
+  }
+  const double lastShare = rounds > 1 ? kLastShare : firstShare;
+  for (int repeat = 0; repeat <= kMostRepeats; ++repeat)
+  {
+    const Pose2 motion = associate(lastShare, true, pose);
+    if (hasTooFew(pose)) break;
+    if (isWithin(motion, lastShare * kSettled)) break;
+  }
+  return pose;
+}
+
+/** One association and the pose that follows from it.
+ *  @param share of the gates
+ *  @param last whether to pair short lines and circles too, and to settle to the end
+ *  @return the motion of the pose */
+Pose2 Refinement::associate(double share, bool last, RefinedPose& pose)
+{
+  // A start is off by a tenth of the gates or so. Until then whole lines lead the way: single
+  // rays are many, and those on other objects than their partners too.
+  constexpr double kSlack = 0.1;
+  const JointOptions& options = match_.options;
+  PairingGates gates{share * options.distanceGate_m, share * options.angleGate_rad,
+                     options.singleRayWeight};
+  gates.singleRaySlack_m = last ? 0 : kSlack * gates.distance_m;
+  gates.fine = last;
+  const Pose2 before = pose.T_ref_cur;
+  JointBuffers& buffers = match_.buffers;
+  JointProblem& problem = buffers.problem;
+  problem.clear();
+  problem.kernelWidth = options.kernelWidth;
+  problem.prior = match_.guessPrior ? *match_.guessPrior : startPrior(before);
+  pose.associations = pairLines(buffers.reference, buffers.current, before, gates, problem);
+  if (hasTooFew(pose)) return {};
+  pose.converged = solve(last ? finalLimits() : limitsWithin(gates), pose.T_ref_cur);
+  return before.inverse() * pose.T_ref_cur;
+}
+
+bool Refinement::solve(const SolverLimits& limits, Pose2& T_ref_cur)
+{
+  const JointProblem& problem = match_.buffers.problem;
+  if (match_.options.solver == JointSolver::Ceres)
+    return match_.external->solveJoint(problem, T_ref_cur);
+  const JointSolution solution = solveByGaussNewton(problem, limits, T_ref_cur);
+  match_.result.iterations += solution.iterations;
+  return solution.converged;
+}
+
+/** What the scans, and the associations made last, say of a pose. */
+void Refinement::score(RefinedPose& pose) const
+{
+  const JointProblem& problem = match_.buffers.problem;
+  const RayCounts counts = match_.scores.allCounts(pose.T_ref_cur);
+  pose.score = freeSpaceScore(counts);
+  pose.raysOn = match_.scores.raysOn(counts);
+  pose.information = linearise(problem, pose.T_ref_cur, false).H;
+  pose.observability = observability(pose.information);
+  pose.angleVariance_rad2 = std::numeric_limits<double>::infinity();
+  for (const LinePairTerm& pair : problem.linePairs)
+    pose.angleVariance_rad2 = std::min(pose.angleVariance_rad2, pair.angleVariance_rad2);
+}
+
+bool Refinement::hasTooFew(const RefinedPose& pose) const
+{
+  return pose.associations < match_.options.minAssociations;
+}
+
+bool Refinement::pairsMostRays(const RefinedPose& pose) const
+{
+  return 2 * pose.associations > match_.buffers.current.scan->rays();
+}
+
+/** Whether a motion is small beside this share of the gates. */
+bool Refinement::isWithin(const Pose2& motion, double share) const
+{
+  return motion.translation().norm() < share * match_.options.distanceGate_m &&
+         std::abs(motion.phi_rad) < share * match_.options.angleGate_rad;
+}
+
+SolverLimits Refinement::finalLimits() const
+{
+  const JointOptions& options = match_.options;
+  return {options.maxIterations, options.stopTranslation_m, options.stopRotation_rad};
+}
+
+/** Before another association, with gates half as wide, a pose need not settle to the end. */
+SolverLimits Refinement::limitsWithin(const PairingGates& gates) const
+{
+  constexpr double kShare = 0.01;
+  const SolverLimits last = finalLimits();
+  return {last.maxIterations, std::max(last.stopTranslation_m, kShare * gates.distance_m),
+          std::max(last.stopRotation_rad, kShare * gates.angle_rad)};
+}
+}  // namespace psmks

@@ -1,0 +1,45 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/ScanScores.h>
+
+#include <algorithm>
+
+namespace psmks
+{
+namespace
+{
+/** Every how many-th point of a scan is counted. */
+int strideOf(const RayPoints& points)
+{
+  constexpr std::size_t kEnoughRays = 180;
+  return std::max(1, static_cast<int>(points.size() / kEnoughRays));
+}
+}  // namespace
+
+ScanScores::ScanScores(const MatchView& reference, const MatchView& current, double rangeSigma_m)
+    : reference_(reference), current_(current), tolerance_m_(surfaceTolerance_m(rangeSigma_m))
+{
+}
+
+double ScanScores::roughScore(const Pose2& T_ref_cur) const
+{
+  constexpr float kRoughTolerance_m = 0.15f;
+  constexpr int kStride = 4;
+  return freeSpaceScore(
+      countRays(current_.points, reference_.surface, T_ref_cur, kRoughTolerance_m, kStride));
+}
+
+RayCounts ScanScores::allCounts(const Pose2& T_ref_cur) const
+{
+  RayCounts counts = countRays(current_.points, reference_.surface, T_ref_cur, tolerance_m_,
+                               strideOf(current_.points));
+  counts += countRays(reference_.points, current_.surface, T_ref_cur.inverse(), tolerance_m_,
+                      strideOf(reference_.points));
+  return counts;
+}
+
+double ScanScores::raysOn(const RayCounts& counts) const
+{
+  const auto points = static_cast<double>(current_.points.size() + reference_.points.size());
+  return 0.5 * points * counts.on / std::max(1, counts.counted());
+}
+}  // namespace psmks

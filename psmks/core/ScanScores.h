@@ -1,0 +1,34 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/FreeSpaceScore.h>
+#include <psmks/core/LinePairing.h>
+
+namespace psmks
+{
+/** How well poses explain the rays of two scans by each other's surfaces. */
+class ScanScores
+{
+ public:
+  /** @param reference, current are kept by reference
+   *  @param rangeSigma_m of the noisier scan */
+  ScanScores(const MatchView& reference, const MatchView& current, double rangeSigma_m);
+
+  /** Cheap free-space score of a start that may be off by some centimetres: every fourth ray, one
+   * way. */
+  double roughScore(const Pose2& T_ref_cur) const;
+
+  /** Rays of both scans against the surfaces of the other: of scans with many rays every second,
+   * every third, ..., for a share needs no more. */
+  RayCounts allCounts(const Pose2& T_ref_cur) const;
+
+  /** Rays of a scan that lie on surfaces of the other, mean of both scans.
+   *  @param counts of allCounts() */
+  double raysOn(const RayCounts& counts) const;
+
+ private:
+  const MatchView& reference_;
+  const MatchView& current_;
+  float tolerance_m_;
+};
+}  // namespace psmks
