@@ -45,10 +45,19 @@ void CandidateSearch::consider(const Pose2& start)
   ++match_.result.hypotheses;
   const RefinedPose candidate = refinement_.refine(start);
   keepIfBest(candidate);
+  if (candidate.dissent_rad != 0) keepIfBest(refinement_.refine(heard(candidate), kNarrow));
   const bool canNarrow = match_.options.reassociations > 1 && candidate.score > 0;
   if (!canNarrow || judge_.isConvincing(candidate)) return;
   if (freeSpaceScore(match_.scores.allCounts(start)) > candidate.score)
     keepIfBest(refinement_.refine(start, kNarrow));
+}
+
+/** The pose turned to where the pair of lines that knows the heading best wants it. */
+Pose2 CandidateSearch::heard(const RefinedPose& candidate)
+{
+  Pose2 T = candidate.T_ref_cur;
+  T.phi_rad = wrapAngle(T.phi_rad - candidate.dissent_rad);
+  return T;
 }
 
 void CandidateSearch::keepIfBest(const RefinedPose& candidate)

@@ -35,6 +35,7 @@ class CandidateSearch
 
  private:
   void keepIfBest(const RefinedPose& candidate);
+  static Pose2 heard(const RefinedPose& candidate);
   void propose();
   void slide();
   void findPlacesAlong();

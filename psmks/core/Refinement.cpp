@@ -36,7 +36,7 @@ RefinedPose Refinement::refine(const Pose2& start, double firstShare)
  * the pose far it is made again. */
 RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
 {
-  constexpr double kLastShare = 0.25, kSettled = 0.1;
+  constexpr double kLastShare = 0.25, kSettled = 0.1;  // of the gates
   constexpr int kMostRepeats = 2;
   const int rounds = match_.options.reassociations;
   RefinedPose pose;
@@ -46,7 +46,7 @@ RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
     const double share = std::ldexp(firstShare, -round);
     const Pose2 motion = associate(share, false, pose);
     if (hasTooFew(pose)) return pose;
-    if (pairsMostRays(pose) && isWithin(motion, share * kLastShare)) break;
+    if (pairsMostRays(pose) && isWithin(motion, share * kSettled)) break;
   }
   const double lastShare = rounds > 1 ? kLastShare : firstShare;
   for (int repeat = 0; repeat <= kMostRepeats; ++repeat)
@@ -103,9 +103,24 @@ void Refinement::score(RefinedPose& pose) const
   pose.raysOn = match_.scores.raysOn(counts);
   pose.information = linearise(problem, pose.T_ref_cur, false).H;
   pose.observability = observability(pose.information);
+  askBestKnownPair(pose);
+}
+
+/** The kernel may have given up the one pair of lines that knows the heading best, for many others
+ * that hardly know it. */
+void Refinement::askBestKnownPair(RefinedPose& pose) const
+{
+  constexpr double kByChance = 4;  // standard deviations
   pose.angleVariance_rad2 = std::numeric_limits<double>::infinity();
-  for (const LinePairTerm& pair : problem.linePairs)
-    pose.angleVariance_rad2 = std::min(pose.angleVariance_rad2, pair.angleVariance_rad2);
+  pose.dissent_rad = 0;
+  for (const LinePairTerm& pair : match_.buffers.problem.linePairs)
+  {
+    if (pair.angleVariance_rad2 >= pose.angleVariance_rad2) continue;
+    const double left_rad = wrapAngle(pair.angle_rad + pose.T_ref_cur.phi_rad);
+    pose.angleVariance_rad2 = pair.angleVariance_rad2;
+    pose.dissent_rad =
+        left_rad * left_rad > kByChance * kByChance * pair.angleVariance_rad2 ? left_rad : 0;
+  }
 }
 
 bool Refinement::hasTooFew(const RefinedPose& pose) const

@@ -21,6 +21,7 @@ class Refinement
   Pose2 associate(double share, bool last, RefinedPose& pose);
   bool solve(const SolverLimits& limits, Pose2& T_ref_cur);
   void score(RefinedPose& pose) const;
+  void askBestKnownPair(RefinedPose& pose) const;
 
   bool hasTooFew(const RefinedPose& pose) const;
   bool pairsMostRays(const RefinedPose& pose) const;
