@@ -1,7 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/Observability.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +23,21 @@ double smallerEigenvalue(const Eigen::Matrix2d& S, Eigen::Vector2d& direction)
   direction = {-std::sin(larger_rad), std::cos(larger_rad)};
   return mean - radius;
 }
+
+/** coupling' position^-1 coupling; a direction in which the position is not fixed at all - along a
+ * single wall - explains nothing of the heading, whatever rounding has left there. */
+double explainedByPosition(const Eigen::Matrix2d& position, const Eigen::Vector2d& coupling)
+{
+  constexpr double kRounding = 1e-9;
+  Eigen::Vector2d weak;
+  const double smaller = smallerEigenvalue(position, weak);
+  const double larger = position.trace() - smaller;
+  const double alongStrong = Eigen::Vector2d(weak.y(), -weak.x()).dot(coupling);
+  const double alongWeak = weak.dot(coupling);
+  double explained = larger > 0 ? alongStrong * alongStrong / larger : 0;
+  if (smaller > kRounding * larger) explained += alongWeak * alongWeak / smaller;
+  return explained;
+}
 }  // namespace
 
 Observability observability(const Eigen::Matrix3d& H)
@@ -34,9 +48,7 @@ Observability observability(const Eigen::Matrix3d& H)
   Eigen::Matrix2d schur = position;
   if (H(2, 2) > 0) schur -= coupling * coupling.transpose() / H(2, 2);
   o.weakSigma_m = sigmaOf(smallerEigenvalue(schur, o.weakDirection));
-  const double determinant = position.determinant();
-  const double explained = determinant > 0 ? coupling.dot(position.inverse() * coupling) : 0;
-  o.headingSigma_rad = sigmaOf(H(2, 2) - explained);
+  o.headingSigma_rad = sigmaOf(H(2, 2) - explainedByPosition(position, coupling));
   return o;
 }
 }  // namespace psmks

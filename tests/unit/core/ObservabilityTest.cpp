@@ -59,6 +59,23 @@ TEST(Observability, ACorridorLeavesItsOwnDirectionOpen)
   }
 }
 
+// One wall, all of it to one side: rounding leaves a little information along it, which must not be
+// taken for a position that explains the heading.
+TEST(Observability, ASingleWallFixesTheHeading)
+{
+  for (int along_deg = 0; along_deg < 180; ++along_deg)
+  {
+    const double across_rad = degToRad(along_deg + 90);
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+    for (const double lever_m : {8., 9., 10., 11.})
+    {
+      const Eigen::Vector3d row(std::cos(across_rad), std::sin(across_rad), lever_m);
+      H += 1e4 * row * row.transpose();
+    }
+    EXPECT_NEAR(observability(H).headingSigma_rad, 1 / std::sqrt(1e4 * 5), 1e-6) << along_deg;
+  }
+}
+
 TEST(Observability, ARoundRoomLeavesTheHeadingOpen)
 {
   const Observability o = observability(Eigen::Vector3d(1e4, 1e4, 0).asDiagonal());
