@@ -15,10 +15,11 @@ void JointConclusion::conclude(int mostAssociations)
     result_.status = MatchStatus::TooFewAssociations;
     return;
   }
+  constexpr double kMoreToContradict = 0.1;  // a measured guess
   result_.score = best_.score;
   result_.associations = best_.associations;
   const double enough =
-      judge_.contradictsGuess(best_.T_ref_cur) ? options.agreedScore : options.acceptScore;
+      options.acceptScore + (judge_.contradictsGuess(best_.T_ref_cur) ? kMoreToContradict : 0);
   if (best_.score < enough)
   {
     result_.status = MatchStatus::NoImprovement;
