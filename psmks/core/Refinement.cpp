@@ -32,8 +32,8 @@ RefinedPose Refinement::refine(const Pose2& start, double firstShare)
   return pose;
 }
 
-/** Associations with gates that narrow, each followed by Gauss-Newton; where the last one moves
- * the pose far it is made again. */
+/** Associations with gates that narrow, each followed by Gauss-Newton; where the last one pairs
+ * most rays and moves the pose far it is made again. */
 RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
 {
   constexpr double kLastShare = 0.25, kSettled = 0.1;  // of the gates
@@ -52,8 +52,7 @@ RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
   for (int repeat = 0; repeat <= kMostRepeats; ++repeat)
   {
     const Pose2 motion = associate(lastShare, true, pose);
-    if (hasTooFew(pose)) break;
-    if (isWithin(motion, lastShare * kSettled)) break;
+    if (!pairsMostRays(pose) || isWithin(motion, lastShare * kSettled)) break;
   }
   return pose;
 }
