@@ -2,10 +2,8 @@
 #pragma once
 
 #include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt/obs/CSensoryFrame.h>
-#include <psmks/core/Pose2.h>
 #include <psmks/mrpt/GzipInput.h>
+#include <psmks/mrpt/LogReader.h>
 #include <psmks/mrpt/OdometryTrack.h>
 
 #include <deque>
@@ -15,55 +13,22 @@
 
 namespace psmks
 {
-/** One scan of a log, with what led to it. */
-struct LaserFrame
-{
-  mrpt::obs::CObservation2DRangeScan::Ptr scan;
-
-  /** Time of the scan, seconds since the epoch; of its actions, or made up, where it has none. */
-  double stamp_s = 0;
-
-  /** Motion of the robot since the frame before, as its wheels measured it; none where they did
-   * not. */
-  std::optional<Pose2> odometry;
-
-  /** Everything observed since the frame before, this scan included, odometry left out. */
-  mrpt::obs::CSensoryFrame observations;
-};
-
-/** Reads the scans of one sensor from an MRPT rawlog, gzipped or not, of either kind: actions and
- *  sensory frames, or loose observations.
- *
- * Nothing here throws for a damaged file: what stands before the damage is read, then next() ends
- * and damage() says what happened. */
-class RawlogReader
+/** Reads an MRPT rawlog, gzipped or not, of either kind: actions and sensory frames, or loose
+ *  observations. */
+class RawlogReader : public LogReader
 {
  public:
   /** @param sensorLabel the sensor to read; none: that of the first scan in the log */
   explicit RawlogReader(const std::string& path,
                         std::optional<std::string> sensorLabel = std::nullopt);
 
-  /** The next scan; false at the end of the log or of what can be read of it. */
-  bool next(LaserFrame& frame);
-
-  /** Why the log ended before its end, as half a sentence: "read 12 entries, then: ..."; empty for
-   * a whole log. */
-  const std::string& damage() const { return damage_; }
-
-  /** Entries of the log read so far, of whatever class. */
-  int entriesRead() const { return entriesRead_; }
-
-  /** The sensor that is read; none before the first scan unless one was asked for. */
-  const std::optional<std::string>& sensorLabel() const { return sensorLabel_; }
-
-  /** How many 2D scans of which sensor were met so far. */
-  const std::map<std::string, int>& scansOfSensors() const { return scansOfSensors_; }
-
-  /** Scans whose time had to be made up: neither they nor their actions have a stamp. */
-  int stampsMadeUp() const { return stampsMadeUp_; }
-
-  /** For progress bars, 0 to 1. */
-  double shareRead() const { return file_.shareRead(); }
+  bool next(LaserFrame& frame) override;
+  const std::string& damage() const override { return damage_; }
+  int entriesRead() const override { return entriesRead_; }
+  const std::optional<std::string>& sensorLabel() const override { return sensorLabel_; }
+  const std::map<std::string, int>& scansOfSensors() const override { return scansOfSensors_; }
+  int stampsMadeUp() const override { return stampsMadeUp_; }
+  double shareRead() const override { return file_.shareRead(); }
 
  private:
   bool readEntry();
