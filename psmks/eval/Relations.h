@@ -26,16 +26,17 @@ std::vector<Relation> readRelations(const std::string& path);
 /** What a trajectory makes of one relation. */
 struct RelationError
 {
-  double span_s = 0;  //!< time between its two poses
-  double error_m = 0;
-  double error_rad = 0;
+  double span_s = 0;     //!< time between its two poses, >= 0
+  double error_m = 0;    //!< >= 0
+  double error_rad = 0;  //!< >= 0
 };
 
 /** How far the motions of a trajectory are from those of relations, one by one: translation and
  * rotation of T_from_to^-1 T_from_to_estimated.
  *
- * A pose of the estimate counts as that of a stamp up to kStampTolerance_s away; a relation without
- * a pose on either side is left out. */
+ * A pose of the estimate counts as that of a stamp up to kStampTolerance_s away, the nearest first;
+ * a relation without a pose on either side is left out. The stamps of the estimate may repeat and
+ * go backwards; of poses with one stamp the first counts. */
 std::vector<RelationError> relationErrors(const Trajectory& estimate,
                                           const std::vector<Relation>& relations);
 

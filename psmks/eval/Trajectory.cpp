@@ -1,35 +1,19 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/Angle.h>
+#include <psmks/eval/NumberRows.h>
 #include <psmks/eval/Trajectory.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <optional>
 #include <ostream>
-#include <sstream>
 
 namespace psmks
 {
 namespace
 {
-[[noreturn]] void refuse(const std::string& path, int line, const std::string& reason)
-{
-  throw TrajectoryFileError(path + ":" + std::to_string(line) + ": " + reason);
-}
-
-/** The numbers of a line; none where something else stands among them. */
-std::optional<std::vector<double>> numbersOf(const std::string& line)
-{
-  std::istringstream words(line);
-  std::vector<double> numbers;
-  for (double x; words >> x;) numbers.push_back(x);
-  if (!words.eof()) return std::nullopt;
-  return numbers;
-}
-
 double yawOf(double qx, double qy, double qz, double qw)
 {
   return std::atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz));
@@ -76,24 +60,18 @@ struct Tally
 };
 }  // namespace
 
-Trajectory readTrajectory(const std::string& path)
+Trajectory readTrajectory(const std::string& path, StampOrder order)
 {
-  std::ifstream file(path);
-  if (!file) throw TrajectoryFileError(path + ": no such file, or not to be read");
   Trajectory trajectory;
-  int lineNumber = 0;
-  for (std::string line; std::getline(file, line);)
+  for (const NumberRow& row : readNumberRows(path, "pose"))
   {
-    ++lineNumber;
-    const auto numbers = numbersOf(line.substr(0, line.find_first_of("#%")));
-    if (numbers && numbers->empty()) continue;
-    const auto pose = numbers ? poseOf(*numbers) : std::nullopt;
-    if (!pose) refuse(path, lineNumber, "expected 'stamp x y z qx qy qz qw' or 'stamp x y phi'");
-    if (!trajectory.empty() && pose->stamp_s < trajectory.back().stamp_s)
-      refuse(path, lineNumber, "the stamp is earlier than that of the line before");
+    const auto pose = poseOf(row.numbers);
+    if (!pose) refuse(path, row, "expected 'stamp x y z qx qy qz qw' or 'stamp x y phi'");
+    const bool isEarlier = !trajectory.empty() && pose->stamp_s < trajectory.back().stamp_s;
+    if (isEarlier && order == StampOrder::Rising)
+      refuse(path, row, "the stamp is earlier than that of the line before");
     trajectory.push_back(*pose);
   }
-  if (trajectory.empty()) throw TrajectoryFileError(path + ": holds no pose");
   return trajectory;
 }
 

@@ -16,7 +16,7 @@ struct StampedPose
   Pose2 pose;
 };
 
-/** In the order of their stamps. */
+/** In the order in which they were driven, which the stamps of a real log may contradict. */
 using Trajectory = std::vector<StampedPose>;
 
 /** A trajectory file that cannot be read; the text names file, line and reason. */
@@ -26,13 +26,19 @@ class TrajectoryFileError : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/** Reads a planar trajectory, one pose a line, in the order of time; '#' and '%' begin comments.
+enum class StampOrder
+{
+  Rising,  //!< a stamp may repeat, but an earlier one than the line before is damage
+  Any      //!< as a log with stamps that go backwards leaves them
+};
+
+/** Reads a planar trajectory, one pose a line; '#' and '%' begin comments.
  *
  *     stamp x y z qx qy qz qw     TUM: the poses are projected to the plane
  *     stamp x y phi               MRPT ground truth: radians
  *
  *  @throws TrajectoryFileError */
-Trajectory readTrajectory(const std::string& path);
+Trajectory readTrajectory(const std::string& path, StampOrder order = StampOrder::Rising);
 
 /** Writes TUM: "stamp x y z qx qy qz qw", 9 decimals of the stamp. */
 void writeTum(std::ostream& out, const Trajectory& trajectory);
