@@ -6,23 +6,57 @@
 
 namespace psmks
 {
-Trajectory readGroundTruth(const std::string& path)
+namespace
+{
+/** What `read` returns for a file; the files that it refuses are damaged input. */
+template <class Read>
+auto readInput(const std::string& kind, const std::string& path, Read read)
 {
   try
   {
-    return readTrajectory(path);
+    return read(path);
   }
   catch (const TrajectoryFileError& error)
   {
-    throw ProgramError(kInputDamaged, std::string("ground truth ") + error.what());
+    throw ProgramError(kInputDamaged, kind + " " + error.what());
   }
+}
+
+/** X of "X.rawlog", "X.log" and "X.log.gz". */
+std::string stemOf(const std::string& log)
+{
+  std::filesystem::path path = log;
+  if (path.extension() == ".gz") path.replace_extension();
+  return path.replace_extension().string();
+}
+
+std::optional<std::string> firstFile(const std::vector<std::string>& paths)
+{
+  for (const std::string& path : paths)
+    if (std::filesystem::is_regular_file(path)) return path;
+  return std::nullopt;
+}
+}  // namespace
+
+Trajectory readGroundTruth(const std::string& path)
+{
+  return readInput("ground truth", path, [](const auto& file) { return readTrajectory(file); });
+}
+
+std::vector<Relation> readTrueRelations(const std::string& path)
+{
+  return readInput("relations", path, readRelations);
 }
 
 std::optional<std::string> groundTruthBeside(const std::string& log)
 {
-  const std::string stem = std::filesystem::path(log).replace_extension().string();
-  for (const std::string& path : {stem + ".gt.tum", stem + ".GT.txt", log + ".GT.txt"})
-    if (std::filesystem::is_regular_file(path)) return path;
-  return std::nullopt;
+  const std::string stem = stemOf(log);
+  return firstFile({stem + ".gt.tum", stem + ".GT.txt", stem + ".reference.tum", log + ".GT.txt",
+                    stem + "_GT.txt", stem + ".gt.txt"});
+}
+
+std::optional<std::string> relationsBeside(const std::string& log)
+{
+  return firstFile({stemOf(log) + ".relations"});
 }
 }  // namespace psmks

@@ -1,0 +1,73 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/support/ExitCode.h>
+#include <apps/support/GroundTruth.h>
+#include <gtest/gtest.h>
+#include <tests/support/Says.h>
+#include <tests/support/ThrownText.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace psmks
+{
+namespace
+{
+using test::says;
+using test::thrownText;
+
+class GroundTruthTest : public testing::Test
+{
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+  /** The ground truth of a log, with only that file beside it. */
+  std::optional<std::string> found(const std::string& log, const std::string& file) const
+  {
+    std::ofstream(path(file)) << "0 0 0 0\n";
+    const auto truth = groundTruthBeside(path(log));
+    std::filesystem::remove(path(file));
+    return truth;
+  }
+
+  const std::string folder_ = testing::TempDir() + "GroundTruthTest_" +
+                              testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(GroundTruthTest, liesBesideItsLog)
+{
+  for (const char* log : {"drive.rawlog", "drive.log", "drive.log.gz", "drive.clf"})
+    for (const char* file :
+         {"drive.gt.tum", "drive.GT.txt", "drive.reference.tum", "drive_GT.txt", "drive.gt.txt"})
+      EXPECT_EQ(found(log, file), path(file)) << log;
+  EXPECT_EQ(found("drive.rawlog", "drive.rawlog.GT.txt"), path("drive.rawlog.GT.txt"));
+}
+
+TEST_F(GroundTruthTest, ofAnotherLogIsNotTaken)
+{
+  EXPECT_EQ(found("drive.rawlog", "other.gt.tum"), std::nullopt);
+  EXPECT_EQ(found("drive.rawlog", "drive.tum"), std::nullopt);
+  EXPECT_EQ(found("drive.day2.log.gz", "drive.gt.tum"), std::nullopt);
+  EXPECT_EQ(found("drive.day2.log.gz", "drive.day2.gt.tum"), path("drive.day2.gt.tum"));
+}
+
+TEST_F(GroundTruthTest, relationsLieBesideTheirLog)
+{
+  EXPECT_EQ(relationsBeside(path("drive.log.gz")), std::nullopt);
+  std::ofstream(path("drive.relations")) << "0 1 0 0 0 0 0 0\n";
+  EXPECT_EQ(relationsBeside(path("drive.log.gz")), path("drive.relations"));
+  EXPECT_EQ(readTrueRelations(path("drive.relations")).size(), 1u);
+}
+
+TEST_F(GroundTruthTest, whatCannotBeReadIsDamagedInput)
+{
+  EXPECT_TRUE(says(thrownText<ProgramError>([&] { readGroundTruth(path("none.tum")); }),
+                   {"ground truth ", "none.tum", "no such file"}));
+  std::ofstream(path("drive.relations")) << "0 1 0\n";
+  EXPECT_TRUE(says(thrownText<ProgramError>([&] { readTrueRelations(path("drive.relations")); }),
+                   {"relations ", "drive.relations:1", "expected"}));
+}
+}  // namespace
+}  // namespace psmks
