@@ -51,13 +51,15 @@ bool isSeen(const Scan& reference, const Eigen::Vector2d& point_m)
 double overlap(const Scan& reference, const Scan& current, const Pose2& T_ref_cur)
 {
   if (!isWellFormed(reference) || !isWellFormed(current)) return 0;
+  const Eigen::Matrix2d R = T_ref_cur.rotation();
+  const Eigen::Vector2d t_m = T_ref_cur.translation();
   int returns = 0, seen = 0;
   for (int ray = 0; ray < current.grid.count(); ray += kStride)
   {
     if (!isReturn(current, ray)) continue;
     const double range_m = current.range_m[static_cast<std::size_t>(ray)];
     ++returns;
-    seen += isSeen(reference, T_ref_cur * (range_m * current.grid.direction(ray))) ? 1 : 0;
+    seen += isSeen(reference, R * (range_m * current.grid.direction(ray)) + t_m) ? 1 : 0;
   }
   return returns > 0 ? static_cast<double>(seen) / returns : 0;
 }

@@ -2,6 +2,7 @@
 #include <psmks/core/PoseGraph.h>
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 
 namespace psmks
 {
@@ -10,7 +11,7 @@ namespace
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 constexpr int kMostSteps = 10;
-constexpr double kSmallStep = 1e-5;  //!< metres and radians
+constexpr double kSmallStep = 1e-5;  //!< metres and radians, in the end
 constexpr double kKernelWidth = 3;   //!< standard deviations
 
 /** Residual of a link and its derivatives: T_from^-1 T_to minus what was measured. */
@@ -18,9 +19,8 @@ struct LinkResidual
 {
   LinkResidual(const PoseLink& link, const Pose2& from, const Pose2& to)
   {
+    error = linkError(link, from, to);
     const Pose2 between = from.inverse() * to;
-    error << between.x_m - link.T_from_to.x_m, between.y_m - link.T_from_to.y_m,
-        wrapAngle(between.phi_rad - link.T_from_to.phi_rad);
     const Eigen::Matrix2d R = from.rotation().transpose();
     byTo.setIdentity();
     byTo.topLeftCorner<2, 2>() = R;
@@ -33,54 +33,77 @@ struct LinkResidual
   Eigen::Matrix3d byFrom, byTo;
 };
 
-/** Normal equations of all nodes but the first. */
+/** Normal equations of the nodes from firstFree on. */
 class GraphEquations
 {
  public:
-  explicit GraphEquations(std::size_t nodes)
-      : size_(3 * (static_cast<Eigen::Index>(nodes) - 1)), gradient_(Eigen::VectorXd::Zero(size_))
+  GraphEquations(std::size_t nodes, std::size_t firstFree)
+      : firstFree_(firstFree),
+        size_(3 * static_cast<Eigen::Index>(nodes - firstFree)),
+        gradient_(Eigen::VectorXd::Zero(size_))
   {
     // Holds nodes without a link: a standard deviation of a kilometre.
     constexpr double kNextToNothing = 1e-6;
     for (Eigen::Index i = 0; i < size_; ++i) entries_.emplace_back(i, i, kNextToNothing);
   }
 
-  void add(const PoseLink& link, const LinkResidual& r)
+  void add(const PoseLink& link, const LinkResidual& r, double weight)
   {
-    const double s = r.error.dot(link.information * r.error);
-    const Eigen::Matrix3d W = link.information / (1 + s / (kKernelWidth * kKernelWidth));
+    const Eigen::Matrix3d W = weight * link.information;
     const Eigen::Matrix3d fromW = r.byFrom.transpose() * W, toW = r.byTo.transpose() * W;
     addBlock(link.from, link.from, fromW * r.byFrom);
-    addBlock(link.from, link.to, fromW * r.byTo);
-    addBlock(link.to, link.from, toW * r.byFrom);
     addBlock(link.to, link.to, toW * r.byTo);
-    if (link.from > 0) gradient_.segment<3>(row(link.from)) -= fromW * r.error;
-    if (link.to > 0) gradient_.segment<3>(row(link.to)) -= toW * r.error;
+    if (link.from > link.to)
+      addBlock(link.from, link.to, fromW * r.byTo);
+    else
+      addBlock(link.to, link.from, toW * r.byFrom);
+    if (isFree(link.from)) gradient_.segment<3>(row(link.from)) -= fromW * r.error;
+    if (isFree(link.to)) gradient_.segment<3>(row(link.to)) -= toW * r.error;
   }
 
   Eigen::VectorXd solve() const
   {
-    Eigen::SparseMatrix<double> H(size_, size_);
-    H.setFromTriplets(entries_.begin(), entries_.end());
-    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(H).solve(gradient_);
+    Eigen::SparseMatrix<double> lower(size_, size_);
+    lower.setFromTriplets(entries_.begin(), entries_.end());
+    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(lower).solve(gradient_);
   }
 
-  static Eigen::Index row(std::size_t node) { return 3 * (static_cast<Eigen::Index>(node) - 1); }
+  bool isFree(std::size_t node) const { return node >= firstFree_; }
+
+  Eigen::Index row(std::size_t node) const
+  {
+    return 3 * static_cast<Eigen::Index>(node - firstFree_);
+  }
 
  private:
+  /** Of the symmetric matrix only the blocks on and below the diagonal are kept. */
   void addBlock(std::size_t a, std::size_t b, const Eigen::Matrix3d& block)
   {
-    if (a == 0 || b == 0) return;
+    if (!isFree(a) || !isFree(b)) return;
     for (Eigen::Index i = 0; i < 3; ++i)
-      for (Eigen::Index j = 0; j < 3; ++j)
+      for (Eigen::Index j = 0; j < (a == b ? i + 1 : 3); ++j)
         entries_.emplace_back(row(a) + i, row(b) + j, block(i, j));
   }
 
+  std::size_t firstFree_;
   Eigen::Index size_;
   Eigen::VectorXd gradient_;
   Triplets entries_;
 };
+
+/** Cauchy. */
+double kernelWeight(const PoseLink& link, const Eigen::Vector3d& error)
+{
+  return 1 / (1 + error.dot(link.information * error) / (kKernelWidth * kKernelWidth));
+}
 }  // namespace
+
+Eigen::Vector3d linkError(const PoseLink& link, const Pose2& from, const Pose2& to)
+{
+  const Pose2 between = from.inverse() * to;
+  return {between.x_m - link.T_from_to.x_m, between.y_m - link.T_from_to.y_m,
+          wrapAngle(between.phi_rad - link.T_from_to.phi_rad)};
+}
 
 std::size_t PoseGraph::add(const Pose2& guess)
 {
@@ -88,24 +111,32 @@ std::size_t PoseGraph::add(const Pose2& guess)
   return poses_.size() - 1;
 }
 
-void PoseGraph::optimise()
+void PoseGraph::optimise(std::size_t firstFree)
 {
-  if (poses_.size() < 2) return;
-  for (int i = 0; i < kMostSteps && step() > kSmallStep; ++i)
-  {
-  }
+  firstFree = std::max<std::size_t>(firstFree, 1);
+  if (poses_.size() <= firstFree) return;
+  bool trustNewLinks = optimisedLinks_ < links_.size();
+  for (int i = 0; i < kMostSteps; ++i, trustNewLinks = false)
+    if (step(firstFree, trustNewLinks) < kSmallStep) break;
+  optimisedLinks_ = links_.size();
 }
 
 /** @return the largest change of a coordinate */
-double PoseGraph::step()
+double PoseGraph::step(std::size_t firstFree, bool trustNewLinks)
 {
-  GraphEquations equations(poses_.size());
-  for (const PoseLink& link : links_)
-    equations.add(link, LinkResidual(link, poses_[link.from], poses_[link.to]));
-  const Eigen::VectorXd change = equations.solve();
-  for (std::size_t node = 1; node < poses_.size(); ++node)
+  GraphEquations equations(poses_.size(), firstFree);
+  for (std::size_t l = 0; l < links_.size(); ++l)
   {
-    const Eigen::Vector3d d = change.segment<3>(GraphEquations::row(node));
+    const PoseLink& link = links_[l];
+    if (!equations.isFree(link.from) && !equations.isFree(link.to)) continue;
+    const LinkResidual residual(link, poses_[link.from], poses_[link.to]);
+    const bool trusted = trustNewLinks && l >= optimisedLinks_;
+    equations.add(link, residual, trusted ? 1 : kernelWeight(link, residual.error));
+  }
+  const Eigen::VectorXd change = equations.solve();
+  for (std::size_t node = firstFree; node < poses_.size(); ++node)
+  {
+    const Eigen::Vector3d d = change.segment<3>(equations.row(node));
     Pose2& pose = poses_[node];
     pose = {pose.x_m + d.x(), pose.y_m + d.y(), wrapAngle(pose.phi_rad + d.z())};
   }

@@ -21,7 +21,8 @@ struct PoseLink
  *
  *     0 ---- 1 ---- 2        node 0 stays where it was put; a link that contradicts the others
  *      \           /         counts less (Cauchy, 3 standard deviations), so that a wrong match
- *       5 --- 4 --3          does not bend the map                                          */
+ *       5 --- 4 --3          does not bend the map. A new link counts in full at first: the drift
+ *                            that a closed loop takes away contradicts it, too.               */
 class PoseGraph
 {
  public:
@@ -30,16 +31,22 @@ class PoseGraph
 
   void add(const PoseLink& link) { links_.push_back(link); }
 
-  /** Gauss-Newton from the present poses until the steps are small. A node that no link ties to
-   * node 0, directly or not, stays where it is. */
-  void optimise();
+  /** Gauss-Newton from the present poses until the steps are small. A node that no link ties to a
+   * fixed one, directly or not, stays where it is.
+   *  @param firstFree nodes before it are fixed; at least node 0 is */
+  void optimise(std::size_t firstFree = 1);
 
   const std::vector<Pose2>& poses() const { return poses_; }
+  const std::vector<PoseLink>& links() const { return links_; }
 
  private:
-  double step();
+  double step(std::size_t firstFree, bool trustNewLinks);
 
   std::vector<Pose2> poses_;
   std::vector<PoseLink> links_;
+  std::size_t optimisedLinks_ = 0;  //!< the ones after them are new
 };
+
+/** Pose difference of a link's nodes minus what was measured, in the axes of `from`. */
+Eigen::Vector3d linkError(const PoseLink& link, const Pose2& from, const Pose2& to);
 }  // namespace psmks

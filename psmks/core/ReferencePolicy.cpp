@@ -49,12 +49,23 @@ void listFields(OptionTable& table, ReferenceOptions& o)
             "map: a keyframe that saw a smaller share of the scan is no reference");
   table.add("map_min_score", o.mapMinScore, Unit::None, 0, 1,
             "map: a match that explains a smaller share of rays does not tie keyframes");
+  table.add(
+      "map_drift_share", o.mapDriftShare, Unit::None, 0, 1,
+      "map: of the way driven since a place was left, by which it may be off: so far away it is "
+      "looked for; 0: only where it is expected");
+  table.add("map_drift_per_metre_deg", o.mapDriftPerMetre_rad, Unit::Degree, 0, degToRad(10),
+            "map: the same for the heading, for every metre");
+  table.add("keyframe_window", o.keyframeWindow, 0, 1000,
+            "keyframe: a new keyframe is matched against those around it among the last so many");
   table.add("map_links", o.mapLinks, 0, 1000,
             "map: a new keyframe is matched against as many of those around it");
   table.add(
       "retry_last_scan", o.retryLastScan,
       "a scan that fails against the reference is matched against the last matched scan, which "
       "becomes the reference; false: the paper");
+  table.add("retry_score", o.retryScore, Unit::None, 0, 1,
+            "the same for a match that explains a smaller share of rays, where the other explains "
+            "more; 0: failures only");
   table.add("max_failures", o.maxFailures, 1, 1000000,
             "failed matches in a row after which the reference is given up");
 }
@@ -83,6 +94,27 @@ double ReferencePolicy::remoteness(const Pose2& T_keyframe_cur) const
          std::abs(T_keyframe_cur.phi_rad) / options_.mapAngle_rad;
 }
 
+std::size_t ReferencePolicy::firstTied(std::size_t keyframes) const
+{
+  const auto window = static_cast<std::size_t>(options_.keyframeWindow);
+  return usesMap() || keyframes < window ? 0 : keyframes - window;
+}
+
+Drift ReferencePolicy::driftAfter(double way_m) const
+{
+  return {options_.mapDriftShare * way_m, options_.mapDriftPerMetre_rad * way_m};
+}
+
+bool ReferencePolicy::mayBeNear(const Pose2& T_keyframe_cur, const Drift& drift) const
+{
+  constexpr double kKnown_m = 0.3;  // what overlap() forgives
+  constexpr double kLost_m = 10;    // a search has to end somewhere
+  const double reach_m = options_.mapSpacing_m + drift.displacement_m;
+  const double reach_rad = options_.mapSpacing_rad + drift.rotation_rad;
+  return drift.displacement_m > kKnown_m && drift.displacement_m < kLost_m &&
+         !isBeyond(T_keyframe_cur, reach_m, reach_rad);
+}
+
 bool ReferencePolicy::isCovered(const Pose2& T_keyframe_cur) const
 {
   return !isBeyond(T_keyframe_cur, options_.mapSpacing_m, options_.mapSpacing_rad);
@@ -91,6 +123,17 @@ bool ReferencePolicy::isCovered(const Pose2& T_keyframe_cur) const
 bool ReferencePolicy::isMatched(const Pose2& T_ref_cur) const
 {
   return options_.matchEveryScan || isTriggered(T_ref_cur);
+}
+
+bool ReferencePolicy::isRetried(const MatchResult& match) const
+{
+  return options_.retryLastScan && (!match.usable() || match.score < options_.retryScore);
+}
+
+bool ReferencePolicy::isBetter(const MatchResult& toLast, const MatchResult& toReference) const
+{
+  constexpr double kClearly = 0.05;  // more of the rays
+  return toLast.status == MatchStatus::Converged && toLast.score > toReference.score + kClearly;
 }
 
 bool ReferencePolicy::isReplaced(const MatchResult& match, const Pose2& T_ref_cur,

@@ -16,6 +16,13 @@ enum class ReferenceChoice
   Map          //!< the nearest of all keyframes, which are matched against each other
 };
 
+/** How far a pose may be off. */
+struct Drift
+{
+  double displacement_m = 0;
+  double rotation_rad = 0;
+};
+
 struct ReferenceOptions
 {
   ReferenceChoice choice = ReferenceChoice::Map;
@@ -30,11 +37,15 @@ struct ReferenceOptions
   double mapSpacing_rad = degToRad(30);
   double mapDistance_m = 4.0;
   double mapAngle_rad = degToRad(60);
-  double mapMinOverlap = 0.5;  //!< see overlap()
-  double mapMinScore = 0.8;    //!< MatchResult::score of a match that ties keyframes
-  int mapLinks = 6;            //!< matches that tie a new keyframe to those around it
-  bool retryLastScan = true;   //!< after a failure, against the last scan that matched
-  int maxFailures = 5;         //!< in a row, then the reference is given up
+  double mapMinOverlap = 0.5;   //!< see overlap()
+  double mapMinScore = 0.8;     //!< MatchResult::score of a match that ties keyframes
+  double mapDriftShare = 0.03;  //!< of the way driven, by which a place may be off
+  double mapDriftPerMetre_rad = degToRad(0.1);
+  int keyframeWindow = 10;    //!< a new keyframe is tied to one of the last so many
+  int mapLinks = 6;           //!< matches that tie a new keyframe to those around it
+  bool retryLastScan = true;  //!< after a failure, against the last scan that matched
+  double retryScore = 0.85;   //!< the same after a match with a lower MatchResult::score
+  int maxFailures = 5;        //!< in a row, then the reference is given up
 };
 
 void listFields(OptionTable& table, ReferenceOptions& options);
@@ -57,8 +68,12 @@ class ReferencePolicy
   /** Whether a scan at this guessed pose, seen from the reference, is matched at all. */
   bool isMatched(const Pose2& T_ref_cur) const;
 
-  /** Whether a scan whose match failed is matched against the scan before. */
-  bool isRetried() const { return options_.retryLastScan; }
+  /** Whether a scan that was matched like this is matched against the scan before, too. */
+  bool isRetried(const MatchResult& match) const;
+
+  /** Whether a match against the scan before takes the place of a usable one against the reference:
+   * it adds one more error to those on the way to the reference. */
+  bool isBetter(const MatchResult& toLast, const MatchResult& toReference) const;
 
   /** Map: whether a keyframe at this guessed pose may serve as the reference of a scan. */
   bool isCandidate(const Pose2& T_keyframe_cur) const;
@@ -69,7 +84,7 @@ class ReferencePolicy
   /** Map: whether a match is good enough to tie two keyframes: nothing forces it to be used. */
   bool isLink(const MatchResult& match) const
   {
-    return match.status == MatchStatus::Converged && match.score >= options_.mapMinScore;
+    return match.usable() && match.score >= options_.mapMinScore;
   }
 
   /** Map: how many matches tie a new keyframe to others besides the one that made it. */
@@ -82,6 +97,20 @@ class ReferencePolicy
   bool isEnough(double overlap) const { return overlap >= options_.mapMinOverlap; }
 
   bool usesMap() const { return options_.choice == ReferenceChoice::Map; }
+
+  /** Keyframe and map: matches tie every reference to others. */
+  bool tiesReferences() const { return options_.choice != ReferenceChoice::Sequential; }
+
+  /** Of so many keyframes the first one that a new one may be tied to: all of a map, else the last
+   * few. */
+  std::size_t firstTied(std::size_t keyframes) const;
+
+  /** Map: how far a place may be off after such a way. */
+  Drift driftAfter(double way_m) const;
+
+  /** Map: whether a keyframe may be a candidate for a scan, its place being known so badly that it
+   * has to be searched for. */
+  bool mayBeNear(const Pose2& T_keyframe_cur, const Drift& drift) const;
 
   /** Whether a scan becomes the reference after its match.
    *  @param failuresInARow matches that failed against this reference, this one included */

@@ -1,6 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/GraphDistance.h>
 #include <psmks/core/Overlap.h>
 #include <psmks/mrpt/KeyframeMap.h>
+#include <psmks/mrpt/PlaceSearch.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,27 +11,70 @@ namespace psmks
 {
 namespace
 {
+// Links that contradict the poses by less wait for the next time, or for the end; by more, all
+// poses are set anew, else only those of the last keyframes.
+constexpr double kSurprise_m = 0.01;
+constexpr double kGrossSurprise_m = 0.05;
+constexpr double kLever_m = 2;  //!< what a heading error moves is this far away
+constexpr std::size_t kRecentNodes = 30;
+
+/** What a match may be wrong by besides the noise of its rays: people, glass, things at the height
+ * of the scanner that are not upright. */
+Eigen::Matrix3d informationOf(const ReferenceMatch& link)
+{
+  constexpr double kSigma_m = 0.005, kSigma_rad = degToRad(0.1);
+  Eigen::Matrix3d covariance = link.T_ref_cur.covariance;
+  covariance.diagonal() +=
+      Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigma_rad * kSigma_rad);
+  return covariance.inverse();
+}
+
 Pose2 seenFrom(const PosedScan& keyframe, const PosedScan& current)
 {
   return keyframe.T_world_robot.pose.inverse() * current.T_world_robot.pose;
 }
 }  // namespace
 
-std::vector<std::size_t> KeyframeMap::around(const std::vector<PosedScan>& scans,
-                                             const PosedScan& current) const
+std::vector<KeyframeMap::View> KeyframeMap::around(const std::vector<PosedScan>& scans,
+                                                   const PosedScan& current) const
 {
-  std::vector<std::pair<double, std::size_t>> candidates;
-  for (const Keyframe& keyframe : keyframes_)
+  std::vector<View> views;
+  for (std::size_t k = policy_.firstTied(keyframes_.size()); k < keyframes_.size(); ++k)
   {
-    const PosedScan& reference = scans[keyframe.scan];
+    const PosedScan& reference = scans[keyframes_[k].scan];
     const Pose2 T_keyframe_cur = seenFrom(reference, current);
     if (policy_.isCandidate(T_keyframe_cur) && isSeen(reference, current))
-      candidates.emplace_back(policy_.remoteness(T_keyframe_cur), keyframe.scan);
+      views.push_back({keyframes_[k].scan, T_keyframe_cur});
   }
-  std::sort(candidates.begin(), candidates.end());
-  std::vector<std::size_t> sorted;
-  for (const auto& [remoteness, scan] : candidates) sorted.push_back(scan);
-  return sorted;
+  const auto isNearer = [this](const View& a, const View& b)
+  { return policy_.remoteness(a.T_keyframe_cur) < policy_.remoteness(b.T_keyframe_cur); };
+  std::sort(views.begin(), views.end(), isNearer);
+  return views;
+}
+
+std::vector<KeyframeMap::View> KeyframeMap::remembered(const std::vector<PosedScan>& scans,
+                                                       const PosedScan& current,
+                                                       std::size_t reference) const
+{
+  const auto start = nodeOf(reference);
+  if (!start) return {};
+  const std::vector<double> distances_m = graphDistances_m(graph_, *start);
+  std::vector<std::pair<double, View>> found;
+  for (const Keyframe& keyframe : keyframes_)
+  {
+    const PosedScan& old = scans[keyframe.scan];
+    const Pose2 expected = seenFrom(old, current);
+    const Drift drift = policy_.driftAfter(distances_m[keyframe.node]);
+    if (!policy_.mayBeNear(expected, drift)) continue;
+    const SharedPlace place = findSharedPlace(old, current, expected, drift);
+    if (policy_.isEnough(place.overlap))
+      found.push_back({-place.overlap, {keyframe.scan, place.T_ref_cur}});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<View> views;
+  for (const auto& [rank, view] : found) views.push_back(view);
+  return views;
 }
 
 std::optional<std::size_t> KeyframeMap::nearest(const std::vector<PosedScan>& scans,
@@ -78,11 +123,28 @@ void KeyframeMap::add(std::vector<PosedScan>& scans, std::size_t index,
                       const std::vector<ReferenceMatch>& links)
 {
   const std::size_t node = graph_.add(scans[index].T_world_robot.pose);
-  for (const ReferenceMatch& link : links)
-    if (const auto from = nodeOf(link.reference))
-      graph_.add({*from, node, link.T_ref_cur.pose, link.T_ref_cur.covariance.inverse()});
   keyframes_.push_back({index, node});
-  graph_.optimise();
+  double surprise_m = 0;
+  for (const ReferenceMatch& link : links)
+  {
+    const auto from = nodeOf(link.reference);
+    if (!from) continue;
+    const PoseLink added{*from, node, link.T_ref_cur.pose, informationOf(link)};
+    const Eigen::Vector3d error = linkError(added, graph_.poses()[*from], graph_.poses()[node]);
+    surprise_m = std::max(surprise_m, error.head<2>().norm() + kLever_m * std::abs(error.z()));
+    graph_.add(added);
+  }
+  if (surprise_m > kGrossSurprise_m)
+    optimise(scans, 0);
+  else if (surprise_m > kSurprise_m)
+    optimise(scans, node > kRecentNodes ? node - kRecentNodes : 0);
+}
+
+void KeyframeMap::settle(std::vector<PosedScan>& scans) { optimise(scans, 0); }
+
+void KeyframeMap::optimise(std::vector<PosedScan>& scans, std::size_t firstFree)
+{
+  graph_.optimise(firstFree);
   for (const Keyframe& keyframe : keyframes_)
     scans[keyframe.scan].T_world_robot.pose = graph_.poses()[keyframe.node];
 }

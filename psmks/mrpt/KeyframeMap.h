@@ -22,21 +22,38 @@ class KeyframeMap
  public:
   explicit KeyframeMap(const ReferencePolicy& policy) : policy_(policy) {}
 
+  /** A keyframe that may have seen what a scan shows, and where it would have. */
+  struct View
+  {
+    std::size_t keyframe = 0;
+    Pose2 T_keyframe_cur;  //!< of the robots
+  };
+
   /** The nearest keyframe that saw enough of a scan. */
   std::optional<std::size_t> nearest(const std::vector<PosedScan>& scans,
                                      const PosedScan& current) const;
 
   /** Keyframes that saw enough of a scan, the nearest first. */
-  std::vector<std::size_t> around(const std::vector<PosedScan>& scans,
-                                  const PosedScan& current) const;
+  std::vector<View> around(const std::vector<PosedScan>& scans, const PosedScan& current) const;
+
+  /** Keyframes of earlier visits that would have seen a scan if the way since then had drifted as
+   * much as it may have, the one that shares most first. Each with the pose at which it shares
+   * most.
+   *  @param reference the keyframe that the scan hangs on: the way is that of the links from there
+   */
+  std::vector<View> remembered(const std::vector<PosedScan>& scans, const PosedScan& current,
+                               std::size_t reference) const;
 
   /** Whether a scan shows nothing that a keyframe near it has not shown. */
   bool covers(const std::vector<PosedScan>& scans, const PosedScan& current) const;
 
   /** Takes in a scan at its present pose, with the measured poses of it in other keyframes, and
-   * sets the poses of all keyframes anew. */
+   * sets the poses of keyframes anew where these say something new. */
   void add(std::vector<PosedScan>& scans, std::size_t index,
            const std::vector<ReferenceMatch>& links);
+
+  /** Sets the poses of all keyframes to what all links say together. */
+  void settle(std::vector<PosedScan>& scans);
 
  private:
   struct Keyframe
@@ -47,6 +64,7 @@ class KeyframeMap
 
   bool isSeen(const PosedScan& keyframe, const PosedScan& current) const;
   std::optional<std::size_t> nodeOf(std::size_t scan) const;
+  void optimise(std::vector<PosedScan>& scans, std::size_t firstFree);
 
   ReferencePolicy policy_;
   PoseGraph graph_;

@@ -23,6 +23,13 @@ UncertainPose difference(const Pose2& T_a_b, const UncertainPose& T_a_c)
   R.topLeftCorner<2, 2>() = T_b_a.rotation();
   return {T_b_a * T_a_c.pose, R * T_a_c.covariance * R.transpose()};
 }
+/** Of a guess that is a start and no measurement: so wide that it moves no result by 0.01 mm. */
+Eigen::Matrix3d vagueCovariance()
+{
+  constexpr double kSigma_m = 0.5, kSigma_rad = degToRad(10);
+  return Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigma_rad * kSigma_rad)
+      .asDiagonal();
+}
 /** Whether two corrections of a pose say the same. */
 bool isAlike(const Pose2& a, const Pose2& b)
 {
@@ -46,11 +53,20 @@ const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
   current.scan = std::move(scan);
   current.T_robot_sensor = T_robot_sensor;
   const bool isFirst = scans_.empty();
+  straighten(current, odometry);
   if (!isFirst) place(current, odometry);
   scans_.push_back(std::move(current));
 
   if (isFirst || isNewReference()) makeReference(scans_.size() - 1);
   return scans_.back();
+}
+
+/** The motion that led to a scan tells how the robot turned while it swept. */
+void TrajectoryBuilder::straighten(PosedScan& current, const std::optional<Pose2>& odometry)
+{
+  const double turned_rad = scans_.empty() ? 0 : measuredMotion(odometry).pose.phi_rad;
+  turnRate_.add(current.stamp_s(), turned_rad);
+  straightenSweep(current.scan, turnRate_.rate_rad_s());
 }
 
 bool TrajectoryBuilder::isNewReference() const
@@ -63,6 +79,7 @@ bool TrajectoryBuilder::isNewReference() const
 
 void TrajectoryBuilder::settle()
 {
+  if (policy_.tiesReferences()) map_.settle(scans_);
   for (std::size_t s = 0; s < scans_.size(); ++s)
   {
     PosedScan& scan = scans_[s];
@@ -84,31 +101,52 @@ void TrajectoryBuilder::place(PosedScan& current, const std::optional<Pose2>& od
     if (keyframe && *keyframe != reference_) returnTo(*keyframe);
   }
   UncertainPose T_ref_cur = composed(T_ref_last_, motion);
-  const bool failed = policy_.isMatched(T_ref_cur.pose) && !tryMatch(current, T_ref_cur);
-  if (failed && policy_.isRetried() && scans_.back().isMatched() && !scans_.back().isReference)
-  {
-    makeReference(scans_.size() - 1);
-    T_ref_cur = motion;
-    tryMatch(current, T_ref_cur);
-  }
+  if (policy_.isMatched(T_ref_cur.pose)) T_ref_cur = matched(current, motion, T_ref_cur);
   current.T_world_robot = composed(scans_[reference_].T_world_robot, T_ref_cur);
   current.anchor = reference_;
   current.T_anchor_robot = T_ref_cur.pose;
   T_ref_last_ = T_ref_cur;
 }
 
-bool TrajectoryBuilder::tryMatch(PosedScan& current, UncertainPose& T_ref_cur)
+/** Against the reference; where that fails or explains little, against the last scan, which shares
+ * more with this one; where that fails too, without faith in the odometry.
+ *  @return the robot seen from the reference that stands in the end */
+UncertainPose TrajectoryBuilder::matched(PosedScan& current, const UncertainPose& motion,
+                                         const UncertainPose& guess)
 {
-  current.matches.push_back(match(current, reference_, T_ref_cur.pose, T_ref_cur.covariance));
-  T_ref_cur = current.matches.back().T_ref_cur;
-  if (!current.isMatched())
+  current.matches.push_back(match(current, reference_, guess));
+  if (policy_.isRetried(current.matches.back().result)) matchToLast(current, motion);
+  if (!current.isMatched()) matchWithoutFaith(current, motion);
+
+  const ReferenceMatch& best = current.matches.back();
+  failuresInARow_ = current.isMatched() ? 0 : failuresInARow_ + 1;
+  if (current.isMatched()) current.T_last_robot = difference(T_ref_last_.pose, best.T_ref_cur);
+  return best.T_ref_cur;
+}
+
+void TrajectoryBuilder::matchToLast(PosedScan& current, const UncertainPose& motion)
+{
+  const PosedScan& last = scans_.back();
+  if (last.isReference || !last.isMatched()) return;
+  matcher_->setReference(last.scan);
+  const ReferenceMatch second = match(current, scans_.size() - 1, motion);
+  ReferenceMatch& first = current.matches.back();
+  if (first.result.usable() && !policy_.isBetter(second.result, first.result))
   {
-    ++failuresInARow_;
-    return false;
+    matcher_->setReference(scans_[reference_].scan);
+    current.matches.insert(current.matches.end() - 1, second);
+    return;
   }
-  failuresInARow_ = 0;
-  current.T_last_robot = difference(T_ref_last_.pose, T_ref_cur);
-  return true;
+  current.matches.push_back(second);
+  makeReference(scans_.size() - 1);
+}
+
+/** The wheels may have slipped, or turned backwards unnoticed. */
+void TrajectoryBuilder::matchWithoutFaith(PosedScan& current, const UncertainPose& motion)
+{
+  const UncertainPose doubted{motion.pose,
+                              motion.covariance + unknownMotionCovariance(odometryOptions_)};
+  current.matches.push_back(match(current, reference_, composed(T_ref_last_, doubted)));
 }
 
 UncertainPose TrajectoryBuilder::measuredMotion(const std::optional<Pose2>& odometry) const
@@ -118,20 +156,16 @@ UncertainPose TrajectoryBuilder::measuredMotion(const std::optional<Pose2>& odom
 }
 
 ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, std::size_t reference,
-                                        const Pose2& T_ref_cur,
-                                        const std::optional<Eigen::Matrix3d>& covariance)
+                                        const UncertainPose& T_ref_cur)
 {
   const Pose2& mountingRef = scans_[reference].T_robot_sensor;
   const Pose2& mountingCur = current.T_robot_sensor;
-  const UncertainPose guess{T_ref_cur, covariance.value_or(Eigen::Matrix3d::Identity())};
-  const UncertainPose sensorGuess = conjugated(guess, mountingRef.inverse(), mountingCur.inverse());
+  const UncertainPose guess = conjugated(T_ref_cur, mountingRef.inverse(), mountingCur.inverse());
 
   ReferenceMatch match;
   match.reference = reference;
   Stopwatch stopwatch;
-  match.result = matcher_->matchToReference(
-      current.scan, covariance ? Guess{sensorGuess.pose, sensorGuess.covariance}
-                               : Guess{sensorGuess.pose, std::nullopt});
+  match.result = matcher_->matchToReference(current.scan, Guess{guess.pose, guess.covariance});
   match.time_s = stopwatch.lap_s();
   match.T_ref_cur =
       conjugated({match.result.T_ref_cur, match.result.covariance}, mountingRef, mountingCur);
@@ -141,7 +175,7 @@ ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, std::size_t re
 void TrajectoryBuilder::makeReference(std::size_t index)
 {
   scans_[index].isReference = true;
-  if (policy_.usesMap()) joinMap(index);
+  if (policy_.tiesReferences()) joinMap(index);
   matcher_->setReference(scans_[index].scan);
   reference_ = index;
   T_ref_last_ = UncertainPose();
@@ -157,31 +191,45 @@ void TrajectoryBuilder::joinMap(std::size_t index)
   if (index > 0)
   {
     links.push_back({reference_, T_ref_last_, {}, 0});
-    keyframe.links = matchesAround(keyframe);
+    keyframe.links = confirmed(keyframe, matchesAround(keyframe));
     links.insert(links.end(), keyframe.links.begin(), keyframe.links.end());
   }
   map_.add(scans_, index, links);
 }
 
-/** A match counts where it agrees with the map, or with another match: a loop that closes moves the
- * scan against all old keyframes alike, a wrong match is alone. */
 std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(const PosedScan& current)
 {
   std::vector<ReferenceMatch> found;
-  std::vector<Pose2> corrections;  // of the scan's pose, by each match
-  for (const std::size_t keyframe : map_.around(scans_, current))
+  const auto tie = [&](const std::vector<KeyframeMap::View>& views, std::size_t most)
   {
-    if (found.size() == policy_.mostLinks()) break;
-    if (keyframe == reference_) continue;
-    const PosedScan& other = scans_[keyframe];
-    const Pose2 expected = other.T_world_robot.pose.inverse() * current.T_world_robot.pose;
-    matcher_->setReference(other.scan);
-    const ReferenceMatch candidate = match(current, keyframe, expected, std::nullopt);
-    if (!policy_.isLink(candidate.result)) continue;
-    found.push_back(candidate);
-    corrections.push_back(expected.inverse() * candidate.T_ref_cur.pose);
-  }
+    std::size_t tried = 0;
+    for (const KeyframeMap::View& view : views)
+    {
+      if (view.keyframe == reference_) continue;
+      if (tried++ == most) break;
+      matcher_->setReference(scans_[view.keyframe].scan);
+      const ReferenceMatch candidate =
+          match(current, view.keyframe, {view.T_keyframe_cur, vagueCovariance()});
+      if (policy_.isLink(candidate.result)) found.push_back(candidate);
+    }
+  };
+  tie(map_.around(scans_, current), policy_.mostLinks());
+  if (policy_.usesMap()) tie(map_.remembered(scans_, current, reference_), policy_.mostLinks());
+  return found;
+}
 
+/** A match counts where it agrees with the map, or with another match: a loop that closes moves the
+ * scan against all old keyframes alike, a wrong match is alone. */
+std::vector<ReferenceMatch> TrajectoryBuilder::confirmed(
+    const PosedScan& current, const std::vector<ReferenceMatch>& found) const
+{
+  std::vector<Pose2> corrections;  // of the scan's pose, by each match
+  for (const ReferenceMatch& match : found)
+  {
+    const Pose2 expected =
+        scans_[match.reference].T_world_robot.pose.inverse() * current.T_world_robot.pose;
+    corrections.push_back(expected.inverse() * match.T_ref_cur.pose);
+  }
   std::vector<ReferenceMatch> confirmed;
   for (std::size_t m = 0; m < found.size(); ++m)
   {

@@ -3,6 +3,7 @@
 
 #include <psmks/core/OdometryNoise.h>
 #include <psmks/core/ReferencePolicy.h>
+#include <psmks/core/Sweep.h>
 #include <psmks/mrpt/KeyframeMap.h>
 #include <psmks/mrpt/PairMatcher.h>
 #include <psmks/mrpt/PosedScan.h>
@@ -42,20 +43,27 @@ class TrajectoryBuilder
 
  private:
   void place(PosedScan& current, const std::optional<Pose2>& odometry);
-  bool tryMatch(PosedScan& current, UncertainPose& T_ref_cur);
+  void straighten(PosedScan& current, const std::optional<Pose2>& odometry);
+  UncertainPose matched(PosedScan& current, const UncertainPose& motion,
+                        const UncertainPose& guess);
+  void matchToLast(PosedScan& current, const UncertainPose& motion);
+  void matchWithoutFaith(PosedScan& current, const UncertainPose& motion);
   UncertainPose measuredMotion(const std::optional<Pose2>& odometry) const;
-  ReferenceMatch match(const PosedScan& current, std::size_t reference, const Pose2& T_ref_cur,
-                       const std::optional<Eigen::Matrix3d>& covariance);
+  ReferenceMatch match(const PosedScan& current, std::size_t reference,
+                       const UncertainPose& T_ref_cur);
   bool isNewReference() const;
   void makeReference(std::size_t index);
   void returnTo(std::size_t keyframe);
   void joinMap(std::size_t index);
   std::vector<ReferenceMatch> matchesAround(const PosedScan& current);
+  std::vector<ReferenceMatch> confirmed(const PosedScan& current,
+                                        const std::vector<ReferenceMatch>& found) const;
 
   std::unique_ptr<PairMatcher> matcher_;
   ReferencePolicy policy_;
   KeyframeMap map_{policy_};
   OdometryOptions odometryOptions_;
+  TurnRate turnRate_;
   std::vector<PosedScan> scans_;
   std::size_t reference_ = 0;
   UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the reference's

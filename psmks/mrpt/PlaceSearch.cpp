@@ -1,0 +1,39 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Overlap.h>
+#include <psmks/mrpt/PlaceSearch.h>
+
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+// As coarse as the tolerance of overlap() allows.
+constexpr double kStep_m = 0.4;
+constexpr double kStep_rad = degToRad(4);
+
+int stepsWithin(double reach, double step) { return static_cast<int>(std::ceil(reach / step)); }
+}  // namespace
+
+SharedPlace findSharedPlace(const PosedScan& reference, const PosedScan& current,
+                            const Pose2& expected_T_ref_cur, const Drift& drift)
+{
+  const Pose2 T_sensor_robot = reference.T_robot_sensor.inverse();
+  SharedPlace best{expected_T_ref_cur, 0};
+  const int moves = stepsWithin(drift.displacement_m, kStep_m);
+  const int turns = stepsWithin(drift.rotation_rad, kStep_rad);
+  for (int turn = -turns; turn <= turns; ++turn)
+    for (int x = -moves; x <= moves; ++x)
+      for (int y = -moves; y <= moves; ++y)
+      {
+        if (x * x + y * y > moves * moves) continue;
+        const Pose2 T_ref_cur{expected_T_ref_cur.x_m + kStep_m * x,
+                              expected_T_ref_cur.y_m + kStep_m * y,
+                              wrapAngle(expected_T_ref_cur.phi_rad + kStep_rad * turn)};
+        const double share = overlap(reference.scan, current.scan,
+                                     T_sensor_robot * T_ref_cur * current.T_robot_sensor);
+        if (share > best.overlap) best = {T_ref_cur, share};
+      }
+  return best;
+}
+}  // namespace psmks
