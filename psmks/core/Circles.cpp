@@ -59,10 +59,7 @@ class CircleFinder
  public:
   CircleFinder(const SegmentedScan& scan, std::vector<Circle>& circles,
                std::vector<int>& circleOfRay)
-      : scan_(scan),
-        circles_(circles),
-        circleOfRay_(circleOfRay),
-        variance_m2_(scan.rangeSigma_m * scan.rangeSigma_m)
+      : scan_(scan), circles_(circles), circleOfRay_(circleOfRay)
   {
   }
 
@@ -111,6 +108,7 @@ class CircleFinder
 
   void tryRun(int first, int last)
   {
+    variance_m2_ = scan_.rangeVarianceOf_m2((first + last) / 2);
     constexpr int kSteps = 2;
     constexpr double kSettled = 0.1;  // of chi2, which is off by far more by chance
     Fit fit;
@@ -203,7 +201,7 @@ class CircleFinder
   const SegmentedScan& scan_;
   std::vector<Circle>& circles_;
   std::vector<int>& circleOfRay_;
-  double variance_m2_;
+  double variance_m2_ = 0;  //!< of a range of the run that is tried
 };
 }  // namespace
 

@@ -13,8 +13,8 @@ JointMatch::JointMatch(const Guess& guess_, const JointOptions& options_,
       external(external_),
       buffers(buffers_),
       trace(trace_),
-      rangeSigma_m(
-          std::max(buffers_.reference.scan->rangeSigma_m, buffers_.current.scan->rangeSigma_m)),
+      rangeSigma_m(std::max(buffers_.reference.scan->typicalRangeSigma_m(),
+                            buffers_.current.scan->typicalRangeSigma_m())),
       scores(buffers_.reference, buffers_.current, rangeSigma_m)
 {
   result.T_ref_cur = guess.T_ref_cur;

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/core/RangeNoise.h>
 #include <psmks/core/RayColumns.h>
 
 namespace psmks
@@ -13,9 +14,13 @@ namespace psmks
 class LinearLineFilter
 {
  public:
-  explicit LinearLineFilter(double sigma_m) : variance_m2_(sigma_m * sigma_m) {}
+  explicit LinearLineFilter(const RangeNoise& noise)
+      : variance_m2_(noise.sigma_m * noise.sigma_m), growth_1_m2_(noise.growth_1_m2())
+  {
+  }
 
-  /** Starts from the sums of a few rays; false where they fix no line. */
+  /** Starts from the sums of a few rays, weighed as RayColumns does; false where they fix no line.
+   */
   bool start(const LineSums& seed) { return seed.solve(solution_); }
 
   /** Whether the ray's innovation is within `gate` standard deviations. */
@@ -23,8 +28,8 @@ class LinearLineFilter
   {
     const double expected = solution_.inverseRange(ray.cosine, ray.sine);
     const double expected2 = expected * expected;
-    // var(1/r) = sigma^2 / r^4 of the ray, plus what the line itself is uncertain by
-    const double variance = variance_m2_ * (expected2 * expected2 +
+    // var(1/r) = sigma(r)^2 / r^4 of the ray, plus what the line itself is uncertain by
+    const double variance = variance_m2_ * (expected2 * (expected2 + growth_1_m2_) +
                                             solution_.inverseRangeVariance(ray.cosine, ray.sine));
     const double innovation = ray.inverseRange_1_m - expected;
     return expected > 0 && innovation * innovation < gate * gate * variance;
@@ -46,9 +51,10 @@ class LinearLineFilter
     const Block cosine = RayColumns::block(rays.cosine, position);
     const Block sine = RayColumns::block(rays.sine, position);
     const Block expected = solution_.u0 * cosine + solution_.u1 * sine;
+    const Block expected2 = expected.square();
     const Block line = cosine * (solution_.p00 * cosine + 2 * solution_.p01 * sine) +
                        solution_.p11 * sine.square();
-    const Block variance = variance_m2_ * (expected.square().square() + line);
+    const Block variance = variance_m2_ * (expected2 * (expected2 + growth_1_m2_) + line);
     const Block innovation = RayColumns::block(rays.inverseRange_1_m, position) - expected;
     const Block spare = gate * gate * variance - innovation.square();
     return spare.min(expected).minCoeff() > 0;
@@ -59,7 +65,7 @@ class LinearLineFilter
   void update(const LineSums& sums) { sums.solve(solution_); }
 
  private:
-  double variance_m2_;
+  double variance_m2_, growth_1_m2_;
   LineSums::Solution solution_{};
 };
 
@@ -67,7 +73,7 @@ class LinearLineFilter
 class PolarLineFilter
 {
  public:
-  explicit PolarLineFilter(double sigma_m) : variance_m2_(sigma_m * sigma_m) {}
+  explicit PolarLineFilter(const RangeNoise& noise) : noise_(noise) {}
 
   bool start(const LineSums& seed);
   bool accepts(const MeasuredRay& ray, double gate) const;
@@ -85,7 +91,7 @@ class PolarLineFilter
   };
   Linearisation linearise(const MeasuredRay& ray) const;
 
-  double variance_m2_;
+  RangeNoise noise_;
   double r0_m_ = 0, phi0_rad_ = 0;
   Eigen::Matrix2d P_ = Eigen::Matrix2d::Zero();
 };

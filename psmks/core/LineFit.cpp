@@ -88,8 +88,12 @@ Lanes belongs(const RayColumns& rays, int position, const RayRange& range)
   return result;
 }
 
+/** @tparam kGrows whether the noise does: rows and residuals are then divided by its growth where
+ *  the line is, not where the ray is measured, for that would prefer rays that are too short */
+template <bool kGrows>
 NormalSums accumulate(const RayColumns& rays, const RayRange& range, const LineStart& line)
 {
+  const double growth_1_m2 = rays.noise.growth_1_m2();
   const double c0 = line.normal.x(), s0 = line.normal.y();
   LaneSums sums;
   for (int p = range.first; p <= range.last; p += kLanes)
@@ -99,18 +103,21 @@ NormalSums accumulate(const RayColumns& rays, const RayRange& range, const LineS
     // A ray that does not count may have any direction: 1 in place of its cosine.
     const Lanes inverse = 1 / ((cosine * c0 + sine * s0) * counts + (1 - counts));
     const Lanes t = (sine * c0 - cosine * s0) * inverse;
-    const Lanes residual = lanes(rays.range_m, p) - line.r0_m * inverse;
-    sums.add(inverse * counts, t, residual * counts);
+    const Lanes expected_m = line.r0_m * inverse;
+    const Lanes residual_m = lanes(rays.range_m, p) - expected_m;
+    Lanes weight = counts;
+    if constexpr (kGrows) weight *= (1 + growth_1_m2 * expected_m.square()).rsqrt();
+    sums.add(inverse * weight, t, residual_m * weight);
   }
   return sums.total();
 }
 }  // namespace
 
-LineFit fitLine(const RayColumns& rays, const RayRange& range, const LineStart& start,
-                double sigma_m)
+LineFit fitLine(const RayColumns& rays, const RayRange& range, const LineStart& start)
 {
-  const double variance_m2 = sigma_m * sigma_m;
-  const NormalSums n = accumulate(rays, range, start);
+  const double sigma_m = rays.noise.sigma_m, variance_m2 = sigma_m * sigma_m;
+  const NormalSums n = rays.noise.grows() ? accumulate<true>(rays, range, start)
+                                          : accumulate<false>(rays, range, start);
   const double r0 = start.r0_m, r2 = r0 * r0;
   const double aa = n.tt[0], ab = -r0 * n.tt[1], bb = r2 * n.tt[2];
   const double ae = n.te[0], be = -r0 * n.te[1];

@@ -8,10 +8,10 @@ namespace psmks
 /** A line fitted to rays, with what tells whether they lie on one. */
 struct LineFit
 {
-  Line line;                                          //!< covariance for the given range sigma
+  Line line;                                          //!< covariance for the noise of the rays
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  //!< of the line
   int rays = 0;
-  double chi2 = 0;  //!< sum of squared residuals / sigma^2; rays - 2 degrees of freedom
+  double chi2 = 0;  //!< sum of squared residuals / variance; rays - 2 degrees of freedom
   double curvature_1_m =
       0;  //!< coefficient of the squared distance along the line, bulging outwards
   double curvatureSigma_1_m = 0;
@@ -39,6 +39,5 @@ struct LineStart
 /** Least squares of (r0, phi0) over the rays of a range: one Gauss-Newton step from `start`, which
  * the linear filter's line is close enough for (it is off by less than its own sigma), and the
  * tests for curvature (a quadratic term along the line, fitted with it) and whiteness. */
-LineFit fitLine(const RayColumns& rays, const RayRange& range, const LineStart& start,
-                double sigma_m);
+LineFit fitLine(const RayColumns& rays, const RayRange& range, const LineStart& start);
 }  // namespace psmks

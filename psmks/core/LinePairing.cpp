@@ -152,7 +152,6 @@ class Pairing
   {
     const Eigen::Matrix2d R = T_to_from.rotation();
     const Eigen::Vector2d t = T_to_from.translation();
-    const double rangeVariance_m2 = from.scan->rangeSigma_m * from.scan->rangeSigma_m;
     for (const int single : from.singles)
     {
       if (isTaken(from, current ? circles_.current : circles_.reference, single)) continue;
@@ -163,7 +162,8 @@ class Pairing
       const AnchoredLine& l = to.lines[static_cast<std::size_t>(line)];
       // The error of a range moves the point along its ray; only the part across the line counts.
       const double cosine = l.normal.dot(R * from.scan->grid.direction(single));
-      const double variance_m2 = rangeVariance_m2 * cosine * cosine + l.distanceVarianceAt_m2(p_m) +
+      const double variance_m2 = from.scan->rangeVarianceOf_m2(single) * cosine * cosine +
+                                 l.distanceVarianceAt_m2(p_m) +
                                  gates_.singleRaySlack_m * gates_.singleRaySlack_m;
       problem_.rays.push_back({current, point_m, l.normal, l.normal.dot(l.anchor_m),
                                gates_.singleRayWeight / variance_m2});

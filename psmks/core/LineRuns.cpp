@@ -20,13 +20,11 @@ constexpr int kLongestGap = 3;
 constexpr int kOutlierMemory = 2;
 }  // namespace
 
-LineRuns::LineRuns(const SegmentationOptions& options, double rangeSigma_m, RayColumns& rays,
-                   std::vector<LineRun>& runs)
+LineRuns::LineRuns(const SegmentationOptions& options, RayColumns& rays, std::vector<LineRun>& runs)
     : options_(options),
       rays_(rays),
       runs_(runs),
-      rangeSigma_m_(rangeSigma_m),
-      variance_m2_(rangeSigma_m * rangeSigma_m)
+      variance_m2_(rays.noise.sigma_m * rays.noise.sigma_m)
 {
   runs_.clear();
 }
@@ -36,9 +34,9 @@ LineRuns::LineRuns(const SegmentationOptions& options, double rangeSigma_m, RayC
 void LineRuns::grow()
 {
   if (options_.filter == LineFilter::Linear)
-    growAll(LinearLineFilter(rangeSigma_m_));
+    growAll(LinearLineFilter(rays_.noise));
   else
-    growAll(PolarLineFilter(rangeSigma_m_));
+    growAll(PolarLineFilter(rays_.noise));
 }
 
 template <class Filter>

@@ -24,8 +24,7 @@ class LineRuns
  public:
   /** @param rays of a cleaned scan, with their moments and no mark; marked here
    *  @param runs storage; what it held is replaced */
-  LineRuns(const SegmentationOptions& options, double rangeSigma_m, RayColumns& rays,
-           std::vector<LineRun>& runs);
+  LineRuns(const SegmentationOptions& options, RayColumns& rays, std::vector<LineRun>& runs);
 
   /** Lines grown from seeds by the filter the options choose (paper, section 2: Kalman
    *  Segmentation). */
@@ -82,6 +81,6 @@ class LineRuns
   const SegmentationOptions& options_;
   RayColumns& rays_;
   std::vector<LineRun>& runs_;
-  double rangeSigma_m_, variance_m2_;
+  double variance_m2_;
 };
 }  // namespace psmks

@@ -26,7 +26,9 @@ struct MeasuredRay
  *
  * give u = M^-1 v and chi2 = q - v'u. They are additive: a Kalman update is an addition, a ray is
  * dropped by a subtraction, two lines are joined by adding their sums. Kept here for sigma = 1 m;
- * a caller divides chi2 and covariances by the variance it holds true. */
+ * a caller divides chi2 and covariances by the variance it holds true. Where the noise grows with
+ * the range, moments are to be multiplied by RangeNoise::weightAt(); sigma is then that of short
+ * ranges. */
 class LineSums
 {
  public:

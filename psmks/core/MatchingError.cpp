@@ -13,7 +13,7 @@ constexpr double kLeastSigma_m = 1e-3;
 
 double leastVariance_m2(const SegmentedScan& scan)
 {
-  const double sigma_m = std::max(scan.rangeSigma_m, kLeastSigma_m);
+  const double sigma_m = std::max(scan.typicalRangeSigma_m(), kLeastSigma_m);
   return sigma_m * sigma_m;
 }
 

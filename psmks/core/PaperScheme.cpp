@@ -184,8 +184,8 @@ class PaperMatch
     MatchView& current = buffers_.current;
     reference.build(buffers_.objective.reference());
     current.build(buffers_.objective.current());
-    const float tolerance_m =
-        surfaceTolerance_m(std::max(reference.scan->rangeSigma_m, current.scan->rangeSigma_m));
+    const float tolerance_m = surfaceTolerance_m(
+        std::max(reference.scan->typicalRangeSigma_m(), current.scan->typicalRangeSigma_m()));
     RayCounts counts = countRays(current.points, reference.surface, T_ref_cur, tolerance_m);
     counts += countRays(reference.points, current.surface, T_ref_cur.inverse(), tolerance_m);
     return freeSpaceScore(counts);

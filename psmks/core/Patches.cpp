@@ -68,7 +68,7 @@ class PatchFinder
     LineSums::Solution s{};
     if (!sums.solve(s)) return;
     const double variance_m2 =
-        std::max(scan_.rangeSigma_m * scan_.rangeSigma_m, s.chi2 / std::max(1, sums.rays() - 2));
+        std::max(scan_.rangeVarianceOf_m2(first), s.chi2 / std::max(1, sums.rays() - 2));
     if (variance_m2 > kRoughest_m * kRoughest_m) return;
     AnchoredLine patch(s.line(variance_m2));
     const double cosine = patch.normal.dot(scan_.point_m((first + last) / 2).normalized());

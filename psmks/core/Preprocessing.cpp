@@ -36,7 +36,7 @@ void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedS
   result.grid = scan.grid;
   result.maxRange_m = scan.maxRange_m;
   result.stamp_s = scan.stamp_s;
-  result.rangeSigma_m = 0;
+  result.rangeNoise = {};
   result.segments.clear();
   result.range_m.assign(rays, 0.0);
   result.valid.assign(rays, 0);

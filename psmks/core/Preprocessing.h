@@ -12,7 +12,7 @@ namespace psmks
 /** Copies grid, ranges and stamps into `result` and settles which rays are valid: finite, above
  *  min_range_m, below the maximum range and not flagged. Invalid rays get range 0. A scan whose
  * ranges do not fit its grid has no valid ray, and nothing below 0.1 mm or beyond 1000 km is a
- * range. Segments and sigma are left empty. */
+ * range. Segments and noise are left empty. */
 void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedScan& result);
 
 /** Median filter over the valid rays of a window (paper, section 1, step 1 of the original method).

@@ -19,6 +19,7 @@ void copyFrom(const double* source, int count, int first, std::vector<double>& c
 void RayColumns::load(const SegmentedScan& scan)
 {
   rays = scan.rays();
+  noise = scan.rangeNoise;
   startAt(scan, 0);
 }
 
@@ -39,5 +40,7 @@ void RayColumns::computeMoments()
   moments.resize(range_m.size());
   for (std::size_t p = 0; p < moments.size(); ++p)
     moments[p] = LineSums::moments(cosine[p], sine[p], range_m[p]);
+  if (!noise.grows()) return;
+  for (std::size_t p = 0; p < moments.size(); ++p) moments[p] *= noise.weightAt(range_m[p]);
 }
 }  // namespace psmks

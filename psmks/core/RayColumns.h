@@ -23,12 +23,13 @@ struct RayColumns
   std::vector<double> cosine, sine;        //!< of the bearing
   std::vector<double> range_m;             //!< 0 where invalid
   std::vector<double> inverseRange_1_m;    //!< 0 where invalid
-  std::vector<LineSums::Moments> moments;  //!< of the valid rays
+  std::vector<LineSums::Moments> moments;  //!< of the valid rays, weighed by their noise
   std::vector<int> mark;                   //!< the line a ray belongs to, or kNoSegment
   int rays = 0;
-  int start = 0;  //!< ray index of position 0
+  int start = 0;     //!< ray index of position 0
+  RangeNoise noise;  //!< of the ranges
 
-  /** Everything but moments, in the order of the rays. */
+  /** Everything but moments, in the order of the rays; the noise is that of the scan. */
   void load(const SegmentedScan& scan);
 
   /** Begins with another ray instead. */

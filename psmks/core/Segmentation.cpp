@@ -15,28 +15,34 @@ namespace
 {
 constexpr int kEkfStartRays = 9;
 
-/** The sigma that is used: the scan's or the option's, raised to what the scan itself shows where
- * that is clearly more. */
-double settledSigma_m(const Scan& scan, const SegmentationOptions& options, const RayColumns& rays,
-                      std::vector<double>& scratch)
+/** The scan's own or the option's. */
+RangeNoise statedNoise(const Scan& scan, const SegmentationOptions& options)
+{
+  return {scan.rangeSigma_m > 0 ? scan.rangeSigma_m : options.rangeSigma_m,
+          options.rangeSigmaPerMetre_m};
+}
+
+/** The noise that the rays are said to have, raised to what they show where that is clearly more.
+ */
+RangeNoise shownNoise(const RayColumns& rays, std::vector<double>& scratch)
 {
   constexpr double kClearlyMore = 1.6;
   constexpr double kLargest_m = 0.08;  // beyond, it is clutter and not noise
-  const double stated_m = scan.rangeSigma_m > 0 ? scan.rangeSigma_m : options.rangeSigma_m;
+  const double stated_m = rays.noise.sigma_m;
   const double clear_m = kClearlyMore * stated_m;
-  if (!options.estimateRangeSigma || !mayShowNoiseAbove(rays, clear_m)) return stated_m;
+  if (!mayShowNoiseAbove(rays, clear_m)) return rays.noise;
   const double shown_m = estimateRangeSigma_m(rays, scratch);
-  return shown_m > clear_m ? std::min(shown_m, std::max(stated_m, kLargest_m)) : stated_m;
+  if (!(shown_m > clear_m)) return rays.noise;
+  return rays.noise.scaledTo(std::min(shown_m, std::max(stated_m, kLargest_m)));
 }
 
 /** The line of the marked rays by the paper's filter, or `otherwise` where it does not start. It
  * linearises at its estimate: it starts from as many rays as the paper's authors take for a seed,
  * or from all of a shorter line. */
-Line extendedFilterLine(const RayColumns& rays, const RayRange& range, double sigma_m,
-                        const Line& otherwise)
+Line extendedFilterLine(const RayColumns& rays, const RayRange& range, const Line& otherwise)
 {
   const int startRays = std::min(kEkfStartRays, range.rays);
-  PolarLineFilter filter(sigma_m);
+  PolarLineFilter filter(rays.noise);
   LineSums seed;
   bool started = false;
   for (int p = range.first; p <= range.last; ++p)
@@ -47,27 +53,35 @@ Line extendedFilterLine(const RayColumns& rays, const RayRange& range, double si
       filter.update(rays.measured(p));
       continue;
     }
-    seed.add(rays.measured(p));
+    seed.addMoments(rays.moments[static_cast<std::size_t>(p)]);
     started = seed.rays() >= startRays && filter.start(seed);
   }
   return started ? filter.line() : otherwise;
 }
 
 /** The line of a run's rays by the filter that the options choose. */
-LineFit fitRun(const RayColumns& rays, const LineRun& run, int mark, double sigma_m,
+LineFit fitRun(const RayColumns& rays, const LineRun& run, int mark,
                const SegmentationOptions& options)
 {
   LineSums::Solution s{};
   if (!run.sums.solve(s)) return {};
   const RayRange range{run.first, run.last, mark, run.sums.rays()};
   const double r0_m = 1 / std::sqrt(s.u0 * s.u0 + s.u1 * s.u1);
-  LineFit fit = fitLine(rays, range, {r0_m * Eigen::Vector2d(s.u0, s.u1), r0_m}, sigma_m);
+  LineFit fit = fitLine(rays, range, {r0_m * Eigen::Vector2d(s.u0, s.u1), r0_m});
   if (options.filter == LineFilter::Ekf)
   {
-    fit.line = extendedFilterLine(rays, range, sigma_m, fit.line);
+    fit.line = extendedFilterLine(rays, range, fit.line);
     fit.normal = fit.line.normal();
   }
   return fit;
+}
+
+/** Standard deviation of a range in the middle of a segment. */
+double middleSigma_m(const Segment& segment, const SegmentedScan& scan)
+{
+  const double first_m = scan.range_m[static_cast<std::size_t>(segment.firstRay)];
+  const double last_m = scan.range_m[static_cast<std::size_t>(segment.lastRay)];
+  return scan.rangeNoise.sigmaAt_m(0.5 * (first_m + last_m));
 }
 
 /** A bulge that is both significant and larger than the noise: long real walls are never quite
@@ -90,11 +104,11 @@ bool isSegment(const LineFit& fit, const Segment& segment, const SegmentedScan& 
 {
   if (fit.rays < options.minRays) return false;
   const Line& line = segment.line;
-  if (!line.covariance.allFinite() || !(line.r0_m > 5 * scan.rangeSigma_m)) return false;
+  if (!line.covariance.allFinite() || !(line.r0_m > 5 * scan.rangeNoise.sigma_m)) return false;
   if (fit.chi2 > options.maxReducedChi2 * (fit.rays - 2)) return false;
   if (offsetVariance_m2(line) > options.maxOffsetSigma_m * options.maxOffsetSigma_m) return false;
   if (line.covariance(1, 1) > options.maxAngleSigma_rad * options.maxAngleSigma_rad) return false;
-  return !isCurved(fit, segment.length_m(), scan.rangeSigma_m, options.curvatureGate);
+  return !isCurved(fit, segment.length_m(), middleSigma_m(segment, scan), options.curvatureGate);
 }
 
 /** Widens a covariance where the residuals are significantly larger than the noise. */
@@ -114,7 +128,7 @@ Segment makeSegment(const LineFit& fit, int firstRay, int lastRay, const Segment
   segment.firstRay = firstRay;
   segment.lastRay = lastRay;
   segment.rays = fit.rays;
-  segment.sigma_m = scan.rangeSigma_m * std::sqrt(fit.chi2 / std::max(1, fit.rays - 2));
+  segment.sigma_m = middleSigma_m(segment, scan) * std::sqrt(fit.chi2 / std::max(1, fit.rays - 2));
   const auto endAt = [&](int ray) -> Eigen::Vector2d
   {
     const Eigen::Vector2d direction = scan.grid.direction(ray);
@@ -148,7 +162,7 @@ class Finish
   void finish(const LineRun& run, int mark)
   {
     constexpr double kNotWhite = 2.5;
-    const LineFit fit = fitRun(rays_, run, mark, scan_.rangeSigma_m, options_);
+    const LineFit fit = fitRun(rays_, run, mark, options_);
     LineRun left, right;
     if (fit.whiteness > kNotWhite && lines_.cut(run, mark, left, right))
     {
@@ -219,12 +233,14 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
   cleanScan(scan, preprocessing, result);
   medianFilter(preprocessing.medianWindow, buffers.scratch, result);
   RayColumns& rays = buffers.rays;
+  result.rangeNoise = statedNoise(scan, options);
   rays.load(result);
-  result.rangeSigma_m = settledSigma_m(scan, options, rays, buffers.scratch);
+  if (options.estimateRangeSigma) rays.noise = shownNoise(rays, buffers.scratch);
+  result.rangeNoise = rays.noise;
   if (result.grid.closed()) rays.startAt(result, strongestBreak(rays));
   rays.computeMoments();
 
-  LineRuns lines(options, result.rangeSigma_m, rays, buffers.runs);
+  LineRuns lines(options, rays, buffers.runs);
   lines.grow();
   lines.contestCorners();
   lines.mergeCollinear();

@@ -25,6 +25,8 @@ void listFields(OptionTable& table, SegmentationOptions& o)
             "paper's extended Kalman filter on (r0, phi0)");
   table.add("range_sigma_m", o.rangeSigma_m, Unit::Metre, 1e-4, 1,
             "standard deviation of a range, where the scan does not state its own");
+  table.add("range_sigma_per_metre_m", o.rangeSigmaPerMetre_m, Unit::Metre, 0, 0.2,
+            "and what every metre of the range adds to it, in squares");
   table.add("estimate_range_sigma", o.estimateRangeSigma,
             "raise the standard deviation to what the scan's own second differences show");
   table.add("innovation_gate", o.innovationGate, Unit::None, 1, 20,

@@ -25,9 +25,10 @@ struct PreprocessingOptions
 struct SegmentationOptions
 {
   LineFilter filter = LineFilter::Linear;
-  double rangeSigma_m = 0.01;      //!< used where the scan does not state its own
-  bool estimateRangeSigma = true;  //!< raise the sigma to what the scan itself shows
-  double innovationGate = 3.3;     //!< standard deviations; chi2(1) at 0.999
+  double rangeSigma_m = 0.01;       //!< used where the scan does not state its own
+  double rangeSigmaPerMetre_m = 0;  //!< its growth, see RangeNoise
+  bool estimateRangeSigma = true;   //!< raise the sigma to what the scan itself shows
+  double innovationGate = 3.3;      //!< standard deviations; chi2(1) at 0.999
   int seedRays = 4;
   int minRays = 6;
   int cornerReach = 8;      //!< rays on either side over which a corner is contested

@@ -2,6 +2,7 @@
 #include <psmks/core/SegmentedScan.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace psmks
 {
@@ -13,6 +14,16 @@ int SegmentedScan::validRays() const
 bool SegmentedScan::hasValidRay() const
 {
   return std::any_of(valid.begin(), valid.end(), [](auto v) { return v != 0; });
+}
+
+double SegmentedScan::typicalRangeSigma_m() const
+{
+  const int returns = rangeNoise.grows() ? validRays() : 0;
+  if (returns == 0) return rangeNoise.sigma_m;
+  double sum_m2 = 0;
+  for (int ray = 0; ray < rays(); ++ray)
+    if (isValid(ray)) sum_m2 += rangeVarianceOf_m2(ray);
+  return std::sqrt(sum_m2 / returns);
 }
 
 double SegmentedScan::denoisedRange_m(int ray) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <psmks/core/BeamGrid.h>
+#include <psmks/core/RangeNoise.h>
 #include <psmks/core/Segment.h>
 
 #include <cstdint>
@@ -19,7 +20,7 @@ struct SegmentedScan
   BeamGrid grid;
   std::vector<double> range_m;      //!< one per ray; 0 where invalid, finite and positive elsewhere
   std::vector<std::uint8_t> valid;  //!< one per ray
-  double rangeSigma_m = 0;          //!< the standard deviation of a range that was used
+  RangeNoise rangeNoise;            //!< the one that was used
   double maxRange_m = 0;            //!< as in Scan
   double stamp_s = 0;
   std::vector<Segment> segments;
@@ -29,6 +30,14 @@ struct SegmentedScan
   int validRays() const;
   bool hasValidRay() const;
   bool isValid(int ray) const { return valid[static_cast<std::size_t>(ray)] != 0; }
+
+  double rangeVarianceOf_m2(int ray) const
+  {
+    return rangeNoise.varianceAt_m2(range_m[static_cast<std::size_t>(ray)]);
+  }
+
+  /** Standard deviation of a range: root mean square over the valid rays. */
+  double typicalRangeSigma_m() const;
 
   /** The measured end point of a valid ray. */
   Eigen::Vector2d point_m(int ray) const

@@ -18,10 +18,7 @@ class ShortLineFinder
  public:
   ShortLineFinder(const SegmentedScan& scan, const std::vector<int>& circleOfRay,
                   std::vector<Segment>& lines)
-      : scan_(scan),
-        circleOfRay_(circleOfRay),
-        lines_(lines),
-        variance_m2_(scan.rangeSigma_m * scan.rangeSigma_m)
+      : scan_(scan), circleOfRay_(circleOfRay), lines_(lines)
   {
   }
 
@@ -54,7 +51,7 @@ class ShortLineFinder
     const double variance = power4(a.inverseRange_1_m) +
                             twoCosine * twoCosine * power4(b.inverseRange_1_m) +
                             power4(c.inverseRange_1_m);
-    return sum * sum <= kGate * kGate * variance_m2_ * variance;
+    return sum * sum <= kGate * kGate * scan_.rangeVarianceOf_m2(first) * variance;
   }
 
   MeasuredRay measured(int ray) const
@@ -67,6 +64,7 @@ class ShortLineFinder
    *  @return its last ray, or the ray itself */
   int lineFrom(int first)
   {
+    const double variance_m2 = scan_.rangeVarianceOf_m2(first);
     LineSums sums;
     LineSums::Solution line{};
     int last = first - 1;
@@ -78,20 +76,20 @@ class ShortLineFinder
       if (more.rays() >= kFewestRays)
       {
         if (!more.solve(longer)) break;
-        if (longer.chi2 - line.chi2 > kGate * kGate * variance_m2_) break;
+        if (longer.chi2 - line.chi2 > kGate * kGate * variance_m2) break;
       }
       sums = more;
       line = longer;
       last = ray;
     }
-    if (sums.rays() < kFewestRays || !keep(line, sums.rays(), first, last)) return first;
-    return last;
+    if (sums.rays() < kFewestRays) return first;
+    return keep(line, variance_m2, sums.rays(), first, last) ? last : first;
   }
 
-  bool keep(const LineSums::Solution& solution, int rays, int first, int last)
+  bool keep(const LineSums::Solution& solution, double variance_m2, int rays, int first, int last)
   {
     Segment segment;
-    segment.line = solution.line(variance_m2_);
+    segment.line = solution.line(variance_m2);
     segment.firstRay = first;
     segment.lastRay = last;
     segment.rays = rays;
@@ -114,7 +112,6 @@ class ShortLineFinder
   const SegmentedScan& scan_;
   const std::vector<int>& circleOfRay_;
   std::vector<Segment>& lines_;
-  double variance_m2_;
 };
 }  // namespace
 

@@ -65,7 +65,7 @@ void SurfaceSums::add(const SurfaceRay& ray, const SurfaceContact& contact)
   row /= incidenceCosine;
   row(kNoise) = ray.noise_m;
 
-  sums_.noalias() += row * row.transpose();
+  sums_.noalias() += ray.weight * row * row.transpose();
   unknowns_ = contact.unknowns;
   ++(ray.fromCurrent ? currentRays_ : referenceRays_);
 }

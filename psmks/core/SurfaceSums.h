@@ -27,8 +27,9 @@ struct SurfaceRay
 {
   Eigen::Vector2d origin_m, direction;
   double range_m;
-  double noise_m;    //!< measured minus true range; 0 where it is not known
-  bool fromCurrent;  //!< moves with the error of T_ref_cur
+  double noise_m;     //!< measured minus true range; 0 where it is not known
+  bool fromCurrent;   //!< moves with the error of T_ref_cur
+  double weight = 1;  //!< see RangeNoise::weightAt()
 };
 
 /** What rays of a standard deviation of 1 m say about the error (x, y, phi) of T_ref_cur, in the

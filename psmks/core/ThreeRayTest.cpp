@@ -22,12 +22,22 @@ class ThreeRays
 {
  public:
   explicit ThreeRays(const RayColumns& rays)
-      : inverse_(rays.inverseRange_1_m.data()), twoCosine_(2 * cosineOfIncrement(rays))
+      : inverse_(rays.inverseRange_1_m.data()),
+        twoCosine_(2 * cosineOfIncrement(rays)),
+        growth_1_m2_(rays.noise.growth_1_m2())
   {
   }
 
   /** @param a, b, c positions of a ray and its neighbours */
   Fraction at(int a, int b, int c) const
+  {
+    Fraction f = atEvenNoise(a, b, c);
+    if (growth_1_m2_ > 0) f.variance += growth_1_m2_ * growing(a, b, c);
+    return f;
+  }
+
+  /** The same as if all ranges were equally uncertain, which is enough to find a break. */
+  Fraction atEvenNoise(int a, int b, int c) const
   {
     // var(1/r) = sigma^2 / r^4 for each ray
     const double x = inverse_[a], y = twoCosine_ * inverse_[b], z = inverse_[c];
@@ -43,6 +53,13 @@ class ThreeRays
   }
 
  private:
+  /** A variance that grows by r^2 is var(1/r) = 1 / r^2. */
+  double growing(int a, int b, int c) const
+  {
+    const double x = inverse_[a], y = twoCosine_ * inverse_[b], z = inverse_[c];
+    return x * x + y * y + z * z;
+  }
+
   static double cosineOfIncrement(const RayColumns& rays)
   {
     if (rays.rays < 2) return 1;
@@ -50,7 +67,7 @@ class ThreeRays
   }
 
   const double* inverse_;
-  double twoCosine_;
+  double twoCosine_, growth_1_m2_;
 };
 
 }  // namespace
@@ -107,7 +124,7 @@ int strongestBreak(const RayColumns& rays)
     const int before = p > 0 ? p - 1 : rays.rays - 1, after = p + 1 < rays.rays ? p + 1 : 0;
     if (!rays.valid(p) || !rays.valid(after)) continue;
     if (!rays.valid(before)) return p;
-    const Fraction f = test.at(before, p, after);
+    const Fraction f = test.atEvenNoise(before, p, after);
     if (f.square <= largest_m2 * f.variance) continue;
     largest_m2 = f.square / f.variance;
     strongest = p;

@@ -11,11 +11,12 @@ namespace psmks
  *
  *     1/r(i-1) - 2 cos(d) / r(i) + 1/r(i+1) = 0
  *
- * exactly, whatever the line (docs/algorithm.md). Divided by its standard deviation for a range
- * sigma of 1 m, the left side measures noise on straight walls and grows at corners and jumps. */
+ * exactly, whatever the line (docs/algorithm.md). Divided by its standard deviation for a sigma of
+ * 1 m at short ranges, which grows as the noise of the rays does, the left side measures noise on
+ * straight walls and grows at corners and jumps. */
 
-/** Values of the test, squared, in m^2 of range noise, of every ray that is valid with both
- * neighbours.
+/** Values of the test, squared, in m^2 of noise of short ranges, of every ray that is valid with
+ * both neighbours.
  *  @param[out] tests_m2 in the order of the positions, the others left out */
 void threeRayTests(const RayColumns& rays, std::vector<double>& tests_m2);
 

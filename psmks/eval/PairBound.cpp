@@ -58,7 +58,7 @@ void addRays(const TruthView& view, bool isCurrent, const SharedLines& lines,
     const Eigen::Vector2d direction = R_ref_scan * view.scan.grid.direction(ray);
     const double range_m = view.scan.range_m[static_cast<std::size_t>(ray)];
     const Eigen::Vector2d end_m = view.T_ref_scan.translation() + range_m * direction;
-    const SharedLines::Piece* piece = lines.pieceAt(direction, end_m, view.scan.rangeSigma_m);
+    const SharedLines::Piece* piece = lines.pieceAt(direction, end_m, view.scan.rangeNoise.sigma_m);
     if (piece == nullptr) continue;
     const AnchoredLine& wall = lines.pieces()[piece->wall].line;
     walls[piece->wall].add({view.T_ref_scan.translation(), direction, range_m, 0, isCurrent},
@@ -77,7 +77,7 @@ Eigen::Matrix3d lineInformation(const TruthView& reference, const TruthView& cur
   addRays(current, true, lines, walls);
   PoseSums sums;
   for (const SurfaceSums& wall : walls) wall.addTo(sums);
-  return sums.information / (reference.scan.rangeSigma_m * reference.scan.rangeSigma_m);
+  return sums.information / reference.scan.rangeNoise.varianceAt_m2(0);
 }
 
 /** A pair of circles holds R q + t against p, with the covariance of both. */

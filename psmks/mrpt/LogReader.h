@@ -28,6 +28,9 @@ struct LaserFrame
   mrpt::obs::CSensoryFrame observations;
 };
 
+/** Between scans of a log without any stamps. */
+constexpr double kAssumedPeriod_s = 0.1;
+
 /** Reads the scans of one sensor from a log, in the order of the file.
  *
  * Nothing here throws for a damaged file: what can be read is read, damage() and remarks() say what

@@ -22,9 +22,6 @@ using mrpt::serialization::CSerializable;
 
 namespace
 {
-/** Between scans of a log without any stamps. */
-constexpr double kAssumedPeriod_s = 0.1;
-
 /** The reading of the wheels where the actions have one, whatever estimates stand beside it. */
 std::optional<Pose2> motionOf(const CActionCollection& actions)
 {

@@ -60,15 +60,16 @@ bool isLost(double share, std::mt19937_64& random)
 
 // The noise of a beam without return is drawn all the same, so that the other rays of a scan have
 // the same noise at every maximum range.
-Reading read(const Beam& beam, const LaserOptions& laser, std::normal_distribution<double>& noise,
-             std::mt19937_64& random)
+Reading read(const Beam& beam, const LaserOptions& laser,
+             std::normal_distribution<double>& unitNoise, std::mt19937_64& random)
 {
-  const double noise_m = noise(random);
+  const double noise = unitNoise(random);
   const bool lost = isLost(laser.dropOutShare, random);
   const Hit hit = beam.hit(0);
   if (lost || hit.object == Hit::kNothing) return {};
   const double returned_m =
       laser.beamDivergence_rad > 0 ? beam.meanRange_m(laser.beamDivergence_rad) : hit.range_m;
+  const double noise_m = noise * laser.rangeNoise().sigmaAt_m(hit.range_m);
   const double range_m = rounded_m(returned_m + noise_m, laser.quantum_m);
   return {range_m, range_m - hit.range_m, hit.object};
 }
@@ -83,14 +84,14 @@ SimulatedScan castScan(const Surroundings& surroundings, const SensorMotion& T_w
   simulated.scan.sweepDuration_s = laser.sweepDuration_s;
   const int rays = laser.grid.count();
   const double betweenRays_s = rays > 1 ? laser.sweepDuration_s / (rays - 1) : 0;
-  std::normal_distribution<double> noise(0, laser.rangeSigma_m);
+  std::normal_distribution<double> unitNoise;
   for (int ray = 0; ray < rays; ++ray)
   {
     const double sinceFirst_s = ray * betweenRays_s;
     const Pose2 pose = T_world_sensor(sinceFirst_s);
     const Beam beam{surroundings, pose.translation(), pose.rotation() * laser.grid.direction(ray),
                     time_s + sinceFirst_s, laser.maxRange_m};
-    const Reading reading = read(beam, laser, noise, random);
+    const Reading reading = read(beam, laser, unitNoise, random);
     simulated.scan.range_m.push_back(reading.range_m);
     simulated.noise_m.push_back(reading.noise_m);
     simulated.objectOfRay.push_back(reading.object);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <psmks/core/Pose2.h>
+#include <psmks/core/RangeNoise.h>
 #include <psmks/core/Scan.h>
 #include <psmks/sim/Surroundings.h>
 
@@ -16,12 +17,15 @@ struct LaserOptions
 {
   BeamGrid grid = BeamGrid::centered(kPi, 181);
   double maxRange_m = 8;
-  double rangeSigma_m = 0.01;     //!< Gaussian, of every return
-  double quantum_m = 0;           //!< ranges are multiples of it; 0 = exact
-  double dropOutShare = 0;        //!< share of the returns that are lost, 0 to 1
-  double beamDivergence_rad = 0;  //!< full width of a beam: it returns the mean range of all that
-                                  //!< it lights, at an edge a mixed pixel in the air; 0 = thin
-  double sweepDuration_s = 0;     //!< from the first to the last ray, each from its own pose
+  double rangeSigma_m = 0.01;       //!< Gaussian, of every return
+  double rangeSigmaPerMetre_m = 0;  //!< its growth, see RangeNoise
+  double quantum_m = 0;             //!< ranges are multiples of it; 0 = exact
+  double dropOutShare = 0;          //!< share of the returns that are lost, 0 to 1
+  double beamDivergence_rad = 0;    //!< full width of a beam: it returns the mean range of all that
+                                    //!< it lights, at an edge a mixed pixel in the air; 0 = thin
+  double sweepDuration_s = 0;       //!< from the first to the last ray, each from its own pose
+
+  RangeNoise rangeNoise() const { return {rangeSigma_m, rangeSigmaPerMetre_m}; }
 };
 
 /** A scan of which the truth is known. */

@@ -129,21 +129,47 @@ void addRayCounts(std::vector<PairFamily>& families)
       office("rays1081", "1081 rays over 270 degrees (Hokuyo UTM-30LX)", scanner(270, 1081, 30)));
 }
 
+/** Scanners as config/sensors describes them, with the noise that stands there. */
+void addScanners(std::vector<PairFamily>& families)
+{
+  const auto noisy = [](LaserOptions laser, const RangeNoise& noise)
+  {
+    laser.rangeSigma_m = noise.sigma_m;
+    laser.rangeSigmaPerMetre_m = noise.sigmaPerMetre_m;
+    return laser;
+  };
+  const auto add =
+      [&families](const std::string& name, const std::string& scanner, const LaserOptions& laser)
+  { families.push_back(office(name, scanner, laser)); };
+  add("urg04lx", "Hokuyo URG-04LX: 682 rays over 240 degrees, 4 m, noise of 1 %",
+      noisy(scanner(240, 682, 4), {0.005, 0.01}));
+  add("utm30lx", "Hokuyo UTM-30LX: 1081 rays over 270 degrees, 30 m, 1 cm and 0.1 %",
+      noisy(scanner(270, 1081, 30), {0.01, 0.001}));
+  add("rplidar", "Slamtec RPLIDAR A: 400 rays all round, 12 m, noise of 1 %",
+      noisy(scanner(360, 400, 12), {0.005, 0.01}));
+  add("tim5xx", "SICK TiM5xx: 811 rays over 270 degrees, 10 m, noise of 2 cm",
+      noisy(scanner(270, 811, 10), {0.02}));
+  add("lms1xx", "SICK LMS1xx: 541 rays over 270 degrees, 20 m, noise of 12 mm",
+      noisy(scanner(270, 541, 20), {0.012}));
+}
+
 std::vector<PairFamily> makeFamilies()
 {
   std::vector<PairFamily> families;
   addPlain(families);
   addHarder(families);
   addRayCounts(families);
+  addScanners(families);
   return families;
 }
 }  // namespace
 
 // Rounding adds an error that is even over a quantum.
-double PairFamily::rangeSigma_m() const
+RangeNoise PairFamily::rangeNoise() const
 {
-  return std::sqrt(laser.rangeSigma_m * laser.rangeSigma_m +
-                   laser.quantum_m * laser.quantum_m / 12);
+  const double sigma_m =
+      std::sqrt(laser.rangeSigma_m * laser.rangeSigma_m + laser.quantum_m * laser.quantum_m / 12);
+  return {sigma_m, laser.rangeSigmaPerMetre_m};
 }
 
 const std::vector<PairFamily>& pairFamilies()

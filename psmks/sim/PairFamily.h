@@ -20,14 +20,16 @@ struct PairFamily
   int people = 0;                             //!< around, who move between the two scans
   Site (*makeSite)(unsigned seed) = nullptr;  //!< its route is not used
 
-  /** Standard deviation of a range, rounding to the quantum included. */
-  double rangeSigma_m() const;
+  /** Of a range, rounding to the quantum included. */
+  RangeNoise rangeNoise() const;
+  double rangeSigma_m() const { return rangeNoise().sigma_m; }
 };
 
 /** All of them: the plain ones, then the harder ones.
  *
  * Scanners: `L180`: 361 rays over 180 degrees, 30 m (SICK LMS 200 at half a degree); `L180r8`: the
- * same, 8 m; `L360`: 360 rays all round, 30 m. Displacements: `small` to 0.15 m and 5 degrees,
+ * same, 8 m; `L360`: 360 rays all round, 30 m; `urg04lx` and others: those of config/sensors, with
+ * their noise. Displacements: `small` to 0.15 m and 5 degrees,
  * `medium` 0.5 m and 15, `large` 1 m and 20; where the name does not say, it is medium. The noise
  * is 1 cm and the worlds are office floors of 32 x 20 m where nothing else is said. */
 const std::vector<PairFamily>& pairFamilies();

@@ -129,7 +129,7 @@ SegmentedScan unsegmented(const Scan& scan, const std::vector<int>& wallOfRay)
     if (wallOfRay[i] < 0) result.range_m[i] = 0;
   }
   result.maxRange_m = scan.maxRange_m;
-  result.rangeSigma_m = scan.rangeSigma_m;
+  result.rangeNoise = {scan.rangeSigma_m};
   result.segmentOfRay.assign(wallOfRay.size(), SegmentedScan::kNoSegment);
   return result;
 }

@@ -26,7 +26,7 @@ class CirclesTest : public testing::Test
     scan_.grid = BeamGrid::centered(kPi, 181);
     seeNothing();
     scan_.segmentOfRay.assign(181, SegmentedScan::kNoSegment);
-    scan_.rangeSigma_m = 0.01;
+    scan_.rangeNoise = {0.01};
   }
 
   void seeNothing()
@@ -65,7 +65,7 @@ class CirclesTest : public testing::Test
 
   void addNoise(test::RandomNumbers& random)
   {
-    for (double& range_m : scan_.range_m) range_m += random.normal(scan_.rangeSigma_m);
+    for (double& range_m : scan_.range_m) range_m += random.normal(scan_.rangeNoise.sigma_m);
   }
 
   std::vector<Circle> found()

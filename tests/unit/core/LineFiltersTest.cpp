@@ -74,7 +74,7 @@ TEST(LinearLineFilter, PredictionIsConsistent)
     {
       const Line line{random.uniform(1, 5), random.uniform(-kPi, kPi), {}};
       const std::vector<MeasuredRay> rays = raysOn(line, 6 + updates + 1, random);
-      LinearLineFilter filter(kSigma_m);
+      LinearLineFilter filter({kSigma_m});
       ASSERT_TRUE(runOn(filter, rays, 6, static_cast<std::size_t>(6 + updates)));
       withinOne += filter.accepts(rays.back(), 1);
       withinTwo += filter.accepts(rays.back(), 2);
@@ -90,7 +90,7 @@ TYPED_TEST(LineFilters, AcceptARayOnTheLineAndRefuseOneBesideIt)
   SCOPED_TRACE(random.seedText());
   const Line line{2, 0.4, {}};
   const std::vector<MeasuredRay> rays = raysOn(line, 30, random);
-  TypeParam filter(kSigma_m);
+  TypeParam filter({kSigma_m});
   ASSERT_TRUE(runOn(filter, rays, 6, rays.size()));
   const double next_rad = line.phi0_rad + degToRad(16), next_m = line.rangeAt_m(next_rad);
   EXPECT_TRUE(filter.accepts(rayOf(next_rad, next_m), 3.3));
@@ -98,12 +98,28 @@ TYPED_TEST(LineFilters, AcceptARayOnTheLineAndRefuseOneBesideIt)
   EXPECT_FALSE(filter.accepts(rayOf(next_rad, next_m - 0.06), 3.3));
 }
 
+// A wall 2 m away, looked along: where it is 8 m away, sigma is 1 cm or 8 cm.
+TYPED_TEST(LineFilters, WidenTheirGateAsTheNoiseGrows)
+{
+  const Line line{2, 0, {}};
+  std::vector<MeasuredRay> rays;
+  for (int bearing_deg = 0; bearing_deg < 75; ++bearing_deg)
+    rays.push_back(rayOf(degToRad(bearing_deg), line.rangeAt_m(degToRad(bearing_deg))));
+  TypeParam even({0.01}), growing({0.01, 0.01});
+  ASSERT_TRUE(runOn(even, rays, 6, rays.size()));
+  ASSERT_TRUE(runOn(growing, rays, 6, rays.size()));
+  const double far_rad = std::acos(2.0 / 8);
+  EXPECT_FALSE(even.accepts(rayOf(far_rad, 8.25), 3.3));
+  EXPECT_TRUE(growing.accepts(rayOf(far_rad, 8.25), 3.3));
+  EXPECT_FALSE(growing.accepts(rayOf(0, 2.09), 3.3));
+}
+
 TYPED_TEST(LineFilters, RefuseARayThatRunsAwayFromTheLine)
 {
   test::RandomNumbers random(23);
   SCOPED_TRACE(random.seedText());
   const Line line{2, 0, {}};
-  TypeParam filter(kSigma_m);
+  TypeParam filter({kSigma_m});
   ASSERT_TRUE(startOn(filter, raysOn(line, 10, random), 10));
   EXPECT_FALSE(filter.accepts(rayOf(degToRad(179), 2), 3.3));
   EXPECT_FALSE(filter.accepts(rayOf(degToRad(91), 1e4), 3.3));
@@ -127,7 +143,7 @@ TEST(LinearLineFilter, ABlockIsAcceptedWhereEveryRayIs)
     columns.load(scan);
     LineSums seed;
     for (int p = 0; p < 20; ++p) seed.add(columns.measured(p));
-    LinearLineFilter filter(kSigma_m);
+    LinearLineFilter filter({kSigma_m});
     ASSERT_TRUE(filter.start(seed));
     bool every = true;
     for (int p = 20; p < 20 + RayColumns::kBlock; ++p)
@@ -141,7 +157,7 @@ TEST(LinearLineFilter, ABlockIsAcceptedWhereEveryRayIs)
 
 TYPED_TEST(LineFilters, DoNotStartFromOneDirection)
 {
-  TypeParam filter(kSigma_m);
+  TypeParam filter({kSigma_m});
   LineSums seed;
   seed.add(rayOf(0.2, 2));
   seed.add(rayOf(0.2, 2));
@@ -160,12 +176,12 @@ TEST(PolarLineFilter, EndsNearTheBatchFitOfAWellConditionedWall)
     RayColumns columns;
     columns.load(segmentByWalls(scan, walls, {}));
     std::fill_n(columns.mark.begin(), 80, 0);
-    const LineFit batch = fitLine(columns, {0, 79, 0, 80}, {{1, 0}, 2}, kSigma_m);
+    const LineFit batch = fitLine(columns, {0, 79, 0, 80}, {{1, 0}, 2});
 
     std::vector<MeasuredRay> rays;
     for (int i = 0; i < grid.count(); ++i)
       rays.push_back(rayOf(grid.bearing_rad(i), scan.range_m[static_cast<std::size_t>(i)]));
-    PolarLineFilter filter(kSigma_m);
+    PolarLineFilter filter({kSigma_m});
     ASSERT_TRUE(runOn(filter, rays, 12, rays.size()));
 
     const Line line = filter.line();

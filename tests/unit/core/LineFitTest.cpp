@@ -14,9 +14,10 @@ constexpr double kSigma_m = 0.01;
 
 /** All rays of a grid on one line, with ranges by bearing, from ray `start` on. */
 RayColumns raysOf(const BeamGrid& grid, const std::function<double(double)>& rangeAt_m,
-                  int start = 0)
+                  int start = 0, const RangeNoise& noise = {kSigma_m})
 {
   SegmentedScan scan;
+  scan.rangeNoise = noise;
   scan.grid = grid;
   for (int i = 0; i < grid.count(); ++i) scan.range_m.push_back(rangeAt_m(grid.bearing_rad(i)));
   RayColumns rays;
@@ -53,7 +54,7 @@ TEST(LineFit, ExactRaysGiveTheirLine)
 {
   const Line truth{2, 0.3, {}};
   const RayColumns rays = raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
-  const LineFit fit = fitLine(rays, allOf(rays), startAt(truth), kSigma_m);
+  const LineFit fit = fitLine(rays, allOf(rays), startAt(truth));
   EXPECT_EQ(fit.rays, 61);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
   EXPECT_NEAR(fit.line.phi0_rad, 0.3, 1e-12);
@@ -72,7 +73,7 @@ TEST(LineFit, StepAndCovarianceAreThoseOfTheNumericDerivative)
     const RayColumns rays =
         raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
     const Line start{truth.r0_m + random.normal(0.003), truth.phi0_rad + random.normal(0.003), {}};
-    const LineFit fit = fitLine(rays, allOf(rays), startAt(start), kSigma_m);
+    const LineFit fit = fitLine(rays, allOf(rays), startAt(start));
 
     const Eigen::MatrixX2d J = numericRows(kGrid, start);
     Eigen::VectorXd e(rays.rays);
@@ -88,6 +89,41 @@ TEST(LineFit, StepAndCovarianceAreThoseOfTheNumericDerivative)
   }
 }
 
+//        |     rays at either end are far away and, here, noisy
+//   o----|
+//        |
+TEST(LineFit, EveryRayCountsByItsOwnNoise)
+{
+  test::RandomNumbers random(35);
+  SCOPED_TRACE(random.seedText());
+  constexpr int kWalls = 2000;
+  const RangeNoise noise{0.005, 0.02};
+  const BeamGrid grid = BeamGrid::centered(degToRad(150), 61);
+  const Line truth{2, 0, {}};
+  double chi2 = 0, distance2 = 0, angle2 = 0, even2 = 0;
+  for (int wall = 0; wall < kWalls; ++wall)
+  {
+    const auto range_m = [&](double b)
+    {
+      const double true_m = truth.rangeAt_m(b);
+      return true_m + random.normal(noise.sigmaAt_m(true_m));
+    };
+    RayColumns rays = raysOf(grid, range_m, 0, noise);
+    const LineFit fit = fitLine(rays, allOf(rays), startAt(truth));
+    chi2 += fit.chi2 / (fit.rays - 2) / kWalls;
+    const double off_m = fit.line.r0_m - truth.r0_m;
+    distance2 += off_m * off_m / fit.line.covariance(0, 0) / kWalls;
+    angle2 += fit.line.phi0_rad * fit.line.phi0_rad / fit.line.covariance(1, 1) / kWalls;
+    rays.noise = {0.02};
+    even2 += std::pow(fitLine(rays, allOf(rays), startAt(truth)).line.r0_m - truth.r0_m, 2) /
+             fit.line.covariance(0, 0) / kWalls;
+  }
+  EXPECT_NEAR(chi2, 1, 0.02);
+  EXPECT_NEAR(distance2, 1, 0.1);
+  EXPECT_NEAR(angle2, 1, 0.1);
+  EXPECT_GT(even2, 1.3) << "all rays alike are worse";
+}
+
 TEST(LineFit, OnlyMarkedRaysOfTheRangeCount)
 {
   const Line truth{2, 0, {}};
@@ -95,7 +131,7 @@ TEST(LineFit, OnlyMarkedRaysOfTheRangeCount)
   rays.range_m[20] = 1;  // passed over: another mark
   rays.mark[20] = SegmentedScan::kNoSegment;
   rays.range_m[5] = 1;  // before the range
-  const LineFit fit = fitLine(rays, {10, 49, 0, 39}, startAt(truth), kSigma_m);
+  const LineFit fit = fitLine(rays, {10, 49, 0, 39}, startAt(truth));
   EXPECT_EQ(fit.rays, 39);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
 }
@@ -106,7 +142,7 @@ TEST(LineFit, ARangeGoesOnAcrossTheSeam)
   const Line truth{2, kPi, {}};  // the foot is at the seam
   const RayColumns rays = raysOf(
       grid, [&](double b) { return truth.rangeAt_m(b); }, 330);
-  const LineFit fit = fitLine(rays, {0, 59, 0, 60}, startAt(truth), kSigma_m);
+  const LineFit fit = fitLine(rays, {0, 59, 0, 60}, startAt(truth));
   EXPECT_EQ(fit.rays, 60);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
 }
@@ -125,9 +161,10 @@ TEST(LineFit, TheCurvatureOfARoundWallIsMeasured)
   };
   test::RandomNumbers random(32);
   SCOPED_TRACE(random.seedText());
-  const RayColumns rays = raysOf(BeamGrid::centered(degToRad(20), 61),
-                                 [&](double b) { return pillar(b) + random.normal(0.002); });
-  const LineFit fit = fitLine(rays, allOf(rays), {{1, 0}, 2.01}, 0.002);
+  const RayColumns rays =
+      raysOf(BeamGrid::centered(degToRad(20), 61),
+             [&](double b) { return pillar(b) + random.normal(0.002); }, 0, {0.002});
+  const LineFit fit = fitLine(rays, allOf(rays), {{1, 0}, 2.01});
   EXPECT_GT(fit.curvature_1_m, 4.5 * fit.curvatureSigma_1_m);
   EXPECT_NEAR(fit.curvature_1_m, 1 / (2 * radius_m), 0.02);
 }
@@ -143,7 +180,7 @@ TEST(LineFit, AWallHasNoCurvatureAndWhiteResiduals)
     const Line truth{random.uniform(1, 4), random.uniform(-0.4, 0.4), {}};
     const RayColumns rays =
         raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
-    const LineFit fit = fitLine(rays, allOf(rays), startAt(truth), kSigma_m);
+    const LineFit fit = fitLine(rays, allOf(rays), startAt(truth));
     curvature2 += std::pow(fit.curvature_1_m / fit.curvatureSigma_1_m, 2) / kWalls;
     whiteness += fit.whiteness / kWalls;
     whiteness2 += fit.whiteness * fit.whiteness / kWalls;
@@ -161,7 +198,8 @@ TEST(LineFit, AStepOfTwoCentimetresIsNotWhite)
   SCOPED_TRACE(random.seedText());
   const Line far{2.02, 0, {}}, near{2, 0, {}};
   const RayColumns rays = raysOf(
-      kGrid, [&](double b) { return (b < 0 ? far : near).rangeAt_m(b) + random.normal(0.005); });
-  EXPECT_GT(fitLine(rays, allOf(rays), {{1, 0}, 2.01}, 0.005).whiteness, 2.5);
+      kGrid, [&](double b) { return (b < 0 ? far : near).rangeAt_m(b) + random.normal(0.005); }, 0,
+      {0.005});
+  EXPECT_GT(fitLine(rays, allOf(rays), {{1, 0}, 2.01}).whiteness, 2.5);
 }
 }  // namespace psmks

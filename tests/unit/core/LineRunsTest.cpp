@@ -16,13 +16,13 @@ struct Workbench
   {
     SegmentedScan scan;
     cleanScan(raw, {}, scan);
+    scan.rangeNoise = {sigma_m};
     rays.load(scan);
     if (scan.grid.closed()) rays.startAt(scan, strongestBreak(rays));
     rays.computeMoments();
-    rangeSigma_m = sigma_m;
   }
 
-  LineRuns lines() { return {options, rangeSigma_m, rays, storage}; }
+  LineRuns lines() { return {options, rays, storage}; }
 
   int markOf(int ray) const
   {
@@ -32,7 +32,6 @@ struct Workbench
 
   SegmentationOptions options;
   RayColumns rays;
-  double rangeSigma_m;
   std::vector<LineRun> storage;
 };
 

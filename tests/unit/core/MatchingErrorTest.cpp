@@ -65,7 +65,7 @@ TEST_F(MatchingErrorTest, DoesNotDependOnTheNumberOfAssociatedRays)
 TEST_F(MatchingErrorTest, NoSegmentIsMoreCertainThanItsScanner)
 {
   scan_.segments[1].sigma_m = 0.002;
-  scan_.rangeSigma_m = 0.01;
+  scan_.rangeNoise = {0.01};
   reliability_.assign(scan_, scan_);
   EXPECT_DOUBLE_EQ(reliability_.ofPair(1, 1).weight(), 20 / 2e-4);
 }
@@ -80,7 +80,7 @@ TEST_F(MatchingErrorTest, RootMeanSquareIsInMetresAndWeighsByPoints)
 
 TEST_F(MatchingErrorTest, NothingToCompareIsTheWorstThereIs)
 {
-  scan_.rangeSigma_m = 0.01;
+  scan_.rangeNoise = {0.01};
   reliability_.assign(scan_, scan_);
   const double nothing = error();
   associate(0, 40, 1.0);

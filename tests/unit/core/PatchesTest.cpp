@@ -14,7 +14,7 @@ SegmentedScan unsegmented()
   scan.range_m.assign(181, 0.0);
   scan.valid.assign(181, 0);
   scan.segmentOfRay.assign(181, SegmentedScan::kNoSegment);
-  scan.rangeSigma_m = 0.01;
+  scan.rangeNoise = {0.01};
   return scan;
 }
 

@@ -4,6 +4,7 @@
 #include <tests/support/Scenes.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace psmks
 {
@@ -317,9 +318,45 @@ TEST(SegmentationSigma, IsTheScansOwnThenTheOptions)
   SegmentationOptions options;
   options.rangeSigma_m = 0.02;
   raw.rangeSigma_m = 0.03;
-  EXPECT_EQ(segmentsOf(raw, options).rangeSigma_m, 0.03);
+  EXPECT_EQ(segmentsOf(raw, options).rangeNoise.sigma_m, 0.03);
   raw.rangeSigma_m = 0;
-  EXPECT_EQ(segmentsOf(raw, options).rangeSigma_m, 0.02);
+  EXPECT_EQ(segmentsOf(raw, options).rangeNoise.sigma_m, 0.02);
+}
+
+TEST(SegmentationSigma, GrowsAsTheOptionsSay)
+{
+  Scan raw = wallAhead();
+  SegmentationOptions options;
+  options.rangeSigmaPerMetre_m = 0.02;
+  raw.rangeSigma_m = 0.01;
+  const SegmentedScan scan = segmentsOf(raw, options);
+  EXPECT_EQ(scan.rangeNoise.sigma_m, 0.01);
+  EXPECT_EQ(scan.rangeNoise.sigmaPerMetre_m, 0.02);
+}
+
+//   +-----------------+
+//   |  s              |     walls from 1.5 to 12 m away, with a noise of 2 % of the range
+//   +-----------------+
+TEST(SegmentationSigma, WallsFarAwayStayWholeWhereTheirNoiseIsKnown)
+{
+  const std::vector<Wall> room = outline({{-1.5, -2}, {12, -2}, {12, 2}, {-1.5, 2}});
+  const RangeNoise noise{0.005, 0.02};
+  std::mt19937 rng(3);
+  std::normal_distribution<double> unitNoise;
+  Scan raw = castScan(room, {}, BeamGrid::centered(2 * kPi, 720));
+  for (double& range_m : raw.range_m) range_m += noise.sigmaAt_m(range_m) * unitNoise(rng);
+  raw.rangeSigma_m = noise.sigma_m;
+  SegmentationOptions options;
+  options.estimateRangeSigma = false;
+  const auto raysInSegments = [&]
+  {
+    const std::vector<int> segmentOfRay = segmentsOf(raw, options).segmentOfRay;
+    return 720 - std::count(segmentOfRay.begin(), segmentOfRay.end(), SegmentedScan::kNoSegment);
+  };
+  EXPECT_LT(raysInSegments(), 450);
+  options.rangeSigmaPerMetre_m = noise.sigmaPerMetre_m;
+  EXPECT_GT(raysInSegments(), 690);
+  EXPECT_LE(segmentsOf(raw, options).segments.size(), 5u);
 }
 
 TEST(SegmentationSigma, IsRaisedToWhatTheScanShows)
@@ -327,9 +364,9 @@ TEST(SegmentationSigma, IsRaisedToWhatTheScanShows)
   std::mt19937 rng(1);
   Scan raw = castScan(squareRoom(), {}, BeamGrid::centered(2 * kPi, 720), 30, 0.03, rng);
   raw.rangeSigma_m = 0.01;
-  EXPECT_NEAR(segmentsOf(raw).rangeSigma_m, 0.03, 0.006);
+  EXPECT_NEAR(segmentsOf(raw).rangeNoise.sigma_m, 0.03, 0.006);
   SegmentationOptions options;
   options.estimateRangeSigma = false;
-  EXPECT_EQ(segmentsOf(raw, options).rangeSigma_m, 0.01);
+  EXPECT_EQ(segmentsOf(raw, options).rangeNoise.sigma_m, 0.01);
 }
 }  // namespace psmks

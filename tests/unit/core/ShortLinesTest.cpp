@@ -23,7 +23,7 @@ class ShortLinesTest : public testing::Test
     scan_.range_m.assign(181, 0.0);
     scan_.valid.assign(181, 0);
     scan_.segmentOfRay.assign(181, SegmentedScan::kNoSegment);
-    scan_.rangeSigma_m = 0.01;
+    scan_.rangeNoise = {0.01};
   }
 
   void setRay(int ray, double range_m)
@@ -88,7 +88,7 @@ TEST_F(ShortLinesTest, raysThatBendByMoreThanTheNoiseAreNone)
   EXPECT_EQ(found().size(), 1U);
   move(kAhead, 0.09);
   EXPECT_TRUE(found().empty());
-  scan_.rangeSigma_m = 0.1;
+  scan_.rangeNoise = {0.1};
   EXPECT_EQ(found().size(), 1U);
 }
 

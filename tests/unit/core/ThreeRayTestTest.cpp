@@ -13,10 +13,11 @@ namespace
 /** A cleaned scan with what the tests of three rays need beside it. */
 struct Prepared
 {
-  explicit Prepared(const Scan& raw)
+  explicit Prepared(const Scan& raw, const RangeNoise& noise = {})
   {
     SegmentedScan scan;
     cleanScan(raw, {}, scan);
+    scan.rangeNoise = noise;
     rays.load(scan);
   }
 
@@ -121,6 +122,23 @@ TEST(ThreeRayTest, TheNoiseIsSeenThroughAFenceOfEdges)
     mean_m += p.estimatedSigma_m() / kScans;
   }
   EXPECT_NEAR(mean_m, 0.01, 0.001);
+}
+
+// Of the scan's noise the share is found by which it exceeds the stated one, near as far.
+TEST(ThreeRayTest, NoiseThatGrowsIsMeasuredByItsOwnLaw)
+{
+  const RangeNoise stated{0.005, 0.01}, real = stated.scaledTo(0.01);
+  double mean_m = 0;
+  constexpr unsigned kRooms = 10;
+  for (unsigned seed = 1; seed <= kRooms; ++seed)
+  {
+    std::mt19937 rng(seed);
+    std::normal_distribution<double> unitNoise;
+    Scan scan = castScan(clutteredRoom(seed), {}, BeamGrid::centered(kPi, 721));
+    for (double& range_m : scan.range_m) range_m += real.sigmaAt_m(range_m) * unitNoise(rng);
+    mean_m += Prepared(scan, stated).estimatedSigma_m() / kRooms;
+  }
+  EXPECT_NEAR(mean_m, 0.01, 0.0015);
 }
 
 // The count never misses what the median would tell.

@@ -224,7 +224,7 @@ TEST(PairFamilies, AnUnknownNameIsRefusedWithTheKnownOnes)
 
 TEST(PairFamilies, RoundingCountsAsNoise)
 {
-  EXPECT_DOUBLE_EQ(pairFamily("sigma3").rangeSigma_m(), 0.03);
-  EXPECT_NEAR(pairFamily("quantised").rangeSigma_m(), 0.0175594, 1e-6);
+  EXPECT_DOUBLE_EQ(pairFamily("sigma3").rangeNoise().sigma_m, 0.03);
+  EXPECT_NEAR(pairFamily("quantised").rangeNoise().sigma_m, 0.0175594, 1e-6);
 }
 }  // namespace psmks

@@ -1,0 +1,112 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/Angle.h>
+#include <psmks/mrpt/CarmenGeometry.h>
+
+#include <algorithm>
+
+namespace psmks
+{
+namespace
+{
+constexpr double kHalfCircle_rad = kPi;
+
+std::optional<double> firstOf(const std::optional<double>& a, const std::optional<double>& b,
+                              const std::optional<double>& c = std::nullopt)
+{
+  return a ? a : b ? b : c;
+}
+
+/** A parameter of CARMEN's "laser" or "robot" module. */
+std::optional<double> parameterOf(const CarmenSurvey& survey, const std::string& name)
+{
+  const auto found = survey.parameters.find(name);
+  return found == survey.parameters.end() ? std::nullopt : std::make_optional(found->second);
+}
+
+std::optional<double> positiveParameterOf(const CarmenSurvey& survey, const std::string& name)
+{
+  const auto value = parameterOf(survey, name);
+  return value && *value > 0 ? value : std::nullopt;
+}
+
+std::optional<double> angleParameterOf(const CarmenSurvey& survey, const std::string& name_deg)
+{
+  const auto value_deg = positiveParameterOf(survey, name_deg);
+  return value_deg ? std::make_optional(degToRad(*value_deg)) : std::nullopt;
+}
+
+bool isRear(const std::string& sensor) { return sensor == "RLASER" || sensor == "ROBOTLASER2"; }
+
+CarmenScanner scannerOfParameters(const CarmenSurvey& survey, bool rear)
+{
+  const std::string side = rear ? "rear_laser" : "front_laser";
+  CarmenScanner scanner;
+  scanner.increment_rad = angleParameterOf(survey, "laser_" + side + "_resolution");
+  scanner.fieldOfView_rad = angleParameterOf(survey, "laser_" + side + "_fov");
+  scanner.maxRange_m = positiveParameterOf(survey, "robot_" + side + "_max");
+  return scanner;
+}
+
+Pose2 mountingOfParameters(const CarmenSurvey& survey, bool rear)
+{
+  const std::string side = rear ? "robot_rearlaser" : "robot_frontlaser";
+  return {parameterOf(survey, side + "_offset").value_or(0),
+          parameterOf(survey, side + "_side_offset").value_or(0), rear ? kPi : 0};
+}
+
+/** Steps from the first ray to the end of the field of view. */
+int stepsOf(int rays) { return std::max(1, rays % 2 == 1 ? rays - 1 : rays); }
+
+/** See BeamGrid. */
+bool fitsRound(double increment_rad, int rays) { return increment_rad * (rays - 0.5) <= 2 * kPi; }
+
+double spread_rad(double fieldOfView_rad, int rays)
+{
+  const double increment_rad = fieldOfView_rad / stepsOf(rays);
+  return fitsRound(increment_rad, rays) ? increment_rad : 2 * kPi / rays;
+}
+}  // namespace
+
+CarmenGeometry::CarmenGeometry(const std::string& sensor, const CarmenSurvey& survey,
+                               const CarmenOptions& options)
+    : options_(options), parameters_(scannerOfParameters(survey, isRear(sensor)))
+{
+  const CarmenSensorSurvey& scans = survey.sensors.at(sensor);
+  noReturn_m_ = scans.noReturn.limit_m();
+  const bool isStatedByMessages = sensor.rfind("ROBOTLASER", 0) == 0 && !scans.mountingVaries;
+  T_robot_sensor_ =
+      isStatedByMessages ? scans.T_robot_sensor : mountingOfParameters(survey, isRear(sensor));
+}
+
+BeamGrid CarmenGeometry::grid(const CarmenScanner& stated, int rays) const
+{
+  const auto fieldOfView_rad =
+      firstOf(options_.fieldOfView_rad, stated.fieldOfView_rad, parameters_.fieldOfView_rad);
+  const auto said_rad =
+      firstOf(options_.increment_rad, stated.increment_rad, parameters_.increment_rad);
+  const double increment_rad = said_rad && fitsRound(*said_rad, rays)
+                                   ? *said_rad
+                                   : spread_rad(fieldOfView_rad.value_or(kHalfCircle_rad), rays);
+
+  const double centered_rad = -fieldOfView_rad.value_or(increment_rad * stepsOf(rays)) / 2;
+  const bool userKnows = options_.fieldOfView_rad.has_value();
+  const double first_rad =
+      userKnows ? centered_rad : stated.firstBearing_rad.value_or(centered_rad);
+  return {first_rad, increment_rad, rays};
+}
+
+double CarmenGeometry::maxRange_m(const CarmenScanner& stated) const
+{
+  if (options_.maxRange_m) return *options_.maxRange_m;
+  const auto said_m = firstOf(stated.maxRange_m, parameters_.maxRange_m);
+  return std::min(said_m.value_or(noReturn_m_), noReturn_m_);
+}
+
+bool CarmenGeometry::isGuessed(const CarmenScanner& stated, int rays) const
+{
+  constexpr int kUsual[] = {180, 181, 360, 361};
+  return !firstOf(options_.fieldOfView_rad, stated.fieldOfView_rad, parameters_.fieldOfView_rad) &&
+         !firstOf(options_.increment_rad, stated.increment_rad, parameters_.increment_rad) &&
+         std::find(std::begin(kUsual), std::end(kUsual), rays) == std::end(kUsual);
+}
+}  // namespace psmks

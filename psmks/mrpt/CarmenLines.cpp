@@ -1,0 +1,40 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/mrpt/CarmenLines.h>
+
+namespace psmks
+{
+namespace
+{
+constexpr std::size_t kBlock_bytes = 1 << 16;
+}
+
+CarmenLines::CarmenLines(const std::string& path) : file_(path), block_(kBlock_bytes) {}
+
+bool CarmenLines::next(std::string_view& line)
+{
+  line_.clear();
+  while (!unread_.empty() || refill())
+  {
+    const std::size_t end = unread_.find('\n');
+    const std::string_view part = unread_.substr(0, end);
+    const bool isWhole = end != std::string_view::npos;
+    unread_.remove_prefix(isWhole ? end + 1 : part.size());
+    if (!isWhole || !line_.empty()) line_ += part;
+    if (!isWhole) continue;
+    line = line_.empty() ? part : std::string_view(line_);
+    ++number_;
+    return true;
+  }
+  if (line_.empty() || !file_.error().empty()) return false;
+  line = line_;
+  ++number_;
+  return true;
+}
+
+bool CarmenLines::refill()
+{
+  if (!file_.isOpen()) return false;
+  unread_ = std::string_view(block_.data(), file_.Read(block_.data(), block_.size()));
+  return !unread_.empty();
+}
+}  // namespace psmks

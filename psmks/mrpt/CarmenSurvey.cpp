@@ -1,0 +1,105 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/mrpt/CarmenLines.h>
+#include <psmks/mrpt/CarmenSurvey.h>
+
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+/** By less than this, poses written with few digits put one mounting apart. */
+constexpr double kMountingTolerance_m = 0.01, kMountingTolerance_rad = 0.01;
+
+bool isZero(const Pose2& pose) { return pose.x_m == 0 && pose.y_m == 0 && pose.phi_rad == 0; }
+
+bool isFar(const Pose2& difference)
+{
+  return difference.translation().norm() > kMountingTolerance_m ||
+         std::abs(difference.phi_rad) > kMountingTolerance_rad;
+}
+
+void add(const CarmenMessage& message, int line, CarmenSurvey& survey)
+{
+  switch (message.kind)
+  {
+    case CarmenKind::Scan:
+      if (survey.sensors.empty()) survey.firstSensor = message.name;
+      survey.sensors[message.name].add(message, line);
+      break;
+    case CarmenKind::Odometry:
+      survey.odometryMoves |= !isZero(message.T_odom_robot);
+      break;
+    case CarmenKind::Parameter:
+      survey.parameters[message.name] = message.value;
+      break;
+    case CarmenKind::Malformed:
+      survey.malformed.add(line);
+      break;
+    case CarmenKind::Other:
+      return;
+  }
+  ++survey.messages;
+}
+}  // namespace
+
+void CarmenStampSurvey::add(double stamp_s, int line)
+{
+  if (stamps++ > 0)
+  {
+    changes |= stamp_s != last_s;
+    if (stamp_s == last_s) repeated.add(line);
+    if (stamp_s < last_s) backwards.add(line);
+  }
+  isAboveZero |= stamp_s > 0;
+  last_s = stamp_s;
+}
+
+void CarmenSensorSurvey::add(const CarmenMessage& message, int line)
+{
+  const Pose2 mounting = message.T_odom_robot.inverse() * message.T_odom_laser;
+  if (scans++ == 0)
+  {
+    rays = static_cast<int>(message.ranges_m.size());
+    T_robot_sensor = mounting;
+  }
+  mountingVaries |= isFar(T_robot_sensor.inverse() * mounting);
+  odometryIsZero &= isZero(message.T_odom_robot);
+  ipc.add(message.ipcStamp_s, line);
+  logger.add(message.loggerStamp_s, line);
+  for (const double range_m : message.ranges_m) noReturn.add(range_m);
+}
+
+std::optional<CarmenStamp> CarmenSurvey::stampOf(const std::string& sensor,
+                                                 const std::optional<CarmenStamp>& wanted) const
+{
+  const auto found = sensors.find(sensor);
+  if (found == sensors.end()) return std::nullopt;
+  const bool ipc = found->second.ipc.isMeaningful(), logger = found->second.logger.isMeaningful();
+  if (ipc && wanted != CarmenStamp::Logger) return CarmenStamp::Ipc;
+  if (logger && wanted != CarmenStamp::Ipc) return CarmenStamp::Logger;
+  return std::nullopt;
+}
+
+bool CarmenSurvey::odometryStandsApart(const std::string& sensor) const
+{
+  const auto found = sensors.find(sensor);
+  return found != sensors.end() && found->second.odometryIsZero && odometryMoves;
+}
+
+CarmenSurvey surveyCarmenLog(const std::string& path)
+{
+  CarmenSurvey survey;
+  CarmenLines lines(path);
+  survey.exists = lines.isOpen();
+  CarmenMessage message;
+  for (std::string_view line; lines.next(line);)
+  {
+    parseCarmenMessage(line, message);
+    add(message, lines.number(), survey);
+  }
+  survey.lines = lines.number();
+  survey.error = survey.exists ? lines.error() : "";
+  return survey;
+}
+}  // namespace psmks

@@ -1,0 +1,33 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/mrpt/CarmenReader.h>
+#include <psmks/mrpt/GzipInput.h>
+#include <psmks/mrpt/OpenLog.h>
+#include <psmks/mrpt/RawlogReader.h>
+
+#include <algorithm>
+#include <array>
+
+namespace psmks
+{
+std::unique_ptr<LogReader> openLog(const std::string& path, const LogOptions& options)
+{
+  if (isText(path))
+    return std::make_unique<CarmenReader>(path, options.sensorLabel, options.carmen);
+  return std::make_unique<RawlogReader>(path, options.sensorLabel);
+}
+
+bool isText(const std::string& path)
+{
+  GzipInput file(path);
+  if (!file.isOpen()) return false;
+  std::array<char, 256> start{};
+  const auto end =
+      start.begin() + static_cast<std::ptrdiff_t>(file.Read(start.data(), start.size()));
+  const auto isControl = [](char c)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < ' ' && c != '\t' && c != '\r' && c != '\n';
+  };
+  return end != start.begin() && std::none_of(start.begin(), end, isControl);
+}
+}  // namespace psmks
