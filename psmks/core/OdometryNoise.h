@@ -13,12 +13,12 @@ namespace psmks
  *  Standard deviations; a turn is 360 degrees. */
 struct OdometryOptions
 {
-  double minSigma_m = 0.01;
-  double minSigma_rad = degToRad(0.5);
-  double sigmaPerMetre_m = 0.10;
-  double sigmaPerTurn_m = 0.30;
-  double sigmaPerMetre_rad = degToRad(5);
-  double sigmaPerTurn_rad = degToRad(36);
+  double minSigma_m = 0.02;
+  double minSigma_rad = degToRad(1);
+  double sigmaPerMetre_m = 0.20;
+  double sigmaPerTurn_m = 0.60;
+  double sigmaPerMetre_rad = degToRad(10);
+  double sigmaPerTurn_rad = degToRad(72);
   double unknownSigma_m = 0.30;
   double unknownSigma_rad = degToRad(15);
 };

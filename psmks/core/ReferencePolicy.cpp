@@ -66,6 +66,8 @@ void listFields(OptionTable& table, ReferenceOptions& o)
   table.add("retry_score", o.retryScore, Unit::None, 0, 1,
             "the same for a match that explains a smaller share of rays, where the other explains "
             "more; 0: failures only");
+  table.add("map_retry_score", o.mapRetryScore, Unit::None, 0, 1,
+            "map: the same, where the last scan becomes one more keyframe");
   table.add("max_failures", o.maxFailures, 1, 1000000,
             "failed matches in a row after which the reference is given up");
 }
@@ -127,7 +129,8 @@ bool ReferencePolicy::isMatched(const Pose2& T_ref_cur) const
 
 bool ReferencePolicy::isRetried(const MatchResult& match) const
 {
-  return options_.retryLastScan && (!match.usable() || match.score < options_.retryScore);
+  const double enough = usesMap() ? options_.mapRetryScore : options_.retryScore;
+  return options_.retryLastScan && (!match.usable() || match.score < enough);
 }
 
 bool ReferencePolicy::isBetter(const MatchResult& toLast, const MatchResult& toReference) const

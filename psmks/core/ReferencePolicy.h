@@ -41,7 +41,7 @@ struct ReferenceOptions
   double mapMinScore = 0.8;     //!< MatchResult::score of a match that ties keyframes
   double mapDriftShare = 0.03;  //!< of the way driven, by which a place may be off
   double mapDriftPerMetre_rad = degToRad(0.1);
-  int keyframeWindow = 10;    //!< a new keyframe is tied to one of the last so many
+  int keyframeWindow = 20;    //!< a new keyframe is tied to one of the last so many
   int mapLinks = 6;           //!< matches that tie a new keyframe to those around it
   bool retryLastScan = true;  //!< after a failure, against the last scan that matched
   double retryScore = 0.85;   //!< the same after a match with a lower MatchResult::score
