@@ -12,7 +12,7 @@ namespace psmks
 namespace
 {
 constexpr const char* kDescription =
-    "Builds the trajectory of a robot and a map from an MRPT rawlog by 2D laser scan matching.\n"
+    "Builds the trajectory of a robot and a map from a log by 2D laser scan matching.\n"
     "Every scan gets a pose; where a match fails, odometry carries on.";
 
 constexpr const char* kFooter =
@@ -31,7 +31,10 @@ std::vector<std::string> matcherNames()
 
 void addFlags(CLI::App& app, CommandLine& c)
 {
-  app.add_option("LOG", c.log, "MRPT rawlog, compressed or not");
+  app.add_option("LOG", c.log, "MRPT rawlog or CARMEN log, compressed or not");
+  app.add_option("--sensor-file", c.sensorFile,
+                 "options that describe the scanner, see config/sensors; --config overrides them")
+      ->type_name("INI");
   app.add_option("-c,--config", c.config, "options, see --print-config")->type_name("INI");
   app.add_option("-m,--matcher", c.matcher, "who estimates the motion between two scans")
       ->type_name("NAME")
@@ -40,8 +43,7 @@ void addFlags(CLI::App& app, CommandLine& c)
   app.add_option("-r,--reference", c.reference, "the scan to match against")
       ->type_name("sequential|keyframe|map")
       ->check(CLI::IsMember({"sequential", "keyframe", "map"}));
-  app.add_option("-s,--sensor", c.sensor, "scanner to use; default: that of the first scan")
-      ->type_name("LABEL");
+  c.logFlags.addTo(app);
   app.add_option("-o,--output", c.output, "folder for the results; default: the log's name + -slam")
       ->type_name("DIR");
   app.add_flag("-w,--overwrite", c.overwrite, "replace results that are there");

@@ -1,6 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <apps/support/LogFlags.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,10 +13,11 @@ namespace psmks
 struct CommandLine
 {
   std::string log;
+  std::string sensorFile;
   std::string config;
   std::string matcher = "psmks";
   std::optional<std::string> reference;
-  std::optional<std::string> sensor;
+  LogFlags logFlags;
   std::string output;
   std::string groundTruth;
   std::string rawlog;

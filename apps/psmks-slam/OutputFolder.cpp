@@ -7,14 +7,6 @@
 
 namespace psmks
 {
-namespace
-{
-std::string pictureTitle(const Summary& summary)
-{
-  return "psmks-slam, matcher " + summary.matcher;
-}
-}  // namespace
-
 OutputFolder::OutputFolder(const std::string& path, bool overwrite) : folder_(path)
 {
   std::error_code error;
@@ -27,16 +19,20 @@ OutputFolder::OutputFolder(const std::string& path, bool overwrite) : folder_(pa
 }
 
 void OutputFolder::write(const std::vector<PosedScan>& scans, const ScanMap& map,
-                         const mrpt::maps::CSimpleMap& keyframes, const Summary& summary,
-                         SlamOptions& options) const
+                         const mrpt::maps::CSimpleMap& keyframes, const std::string& matcher) const
 {
   writeTextFile(file("trajectory.tum"), [&](auto& out) { writeTum(out, trajectoryOf(scans)); });
   writeTextFile(file("odometry.tum"), [&](auto& out) { writeTum(out, odometryOf(scans)); });
   writeTextFile(file("matches.csv"), [&](auto& out) { writeMatchesCsv(out, scans); });
   writeTextFile(file("segments.csv"), [&](auto& out) { writeSegmentsCsv(out, map); });
-  requireWritten(saveMapPicture(map, pictureTitle(summary), file("map.png")), file("map.png"));
+  requireWritten(saveMapPicture(map, "psmks-slam, matcher " + matcher, file("map.png")),
+                 file("map.png"));
   requireWritten(makeMapScene(map)->saveToFile(file("map.3Dscene")), file("map.3Dscene"));
   requireWritten(keyframes.saveToFile(file("map.simplemap")), file("map.simplemap"));
+}
+
+void OutputFolder::writeSummary(const RunSummary& summary, SlamOptions& options) const
+{
   writeTextFile(file("summary.json"), [&](auto& out) { writeSummaryJson(out, summary, options); });
 }
 }  // namespace psmks

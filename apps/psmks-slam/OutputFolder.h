@@ -18,10 +18,14 @@ class OutputFolder
    *  @throws ProgramError where it cannot be made, or holds files that may not be overwritten */
   OutputFolder(const std::string& path, bool overwrite);
 
-  /** @throws ProgramError naming a file that cannot be written */
+  /** All but the summary.
+   *  @param matcher in the map's title
+   *  @throws ProgramError naming a file that cannot be written */
   void write(const std::vector<PosedScan>& scans, const ScanMap& map,
-             const mrpt::maps::CSimpleMap& keyframes, const Summary& summary,
-             SlamOptions& options) const;
+             const mrpt::maps::CSimpleMap& keyframes, const std::string& matcher) const;
+
+  /** @throws ProgramError where the file cannot be written */
+  void writeSummary(const RunSummary& summary, SlamOptions& options) const;
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 

@@ -17,7 +17,7 @@ std::string outputPath(const CommandLine& commandLine)
 {
   if (!commandLine.output.empty()) return commandLine.output;
   std::string name = std::filesystem::path(commandLine.log).filename().string();
-  for (const char* extension : {".gz", ".rawlog"})
+  for (const char* extension : {".gz", ".rawlog", ".log", ".clf"})
   {
     const std::string ending(extension);
     if (name.size() > ending.size() &&
@@ -51,7 +51,7 @@ std::unique_ptr<PairMatcher> makeMatcher(const CommandLine& commandLine, const S
                          options.matching.matcher);
 }
 
-std::string quotedSensors(const RawlogReader& reader)
+std::string quotedSensors(const LogReader& reader)
 {
   std::string text;
   for (const auto& [label, scans] : reader.scansOfSensors())
@@ -65,7 +65,7 @@ Slam::Slam(const CommandLine& commandLine, const SlamOptions& options)
       options_(options),
       groundTruth_(groundTruthOf(commandLine)),
       output_(outputPath(commandLine), commandLine.overwrite),
-      reader_(commandLine.log, commandLine.sensor),
+      reader_(openLog(commandLine.log, commandLine.logFlags.options())),
       builder_(makeMatcher(commandLine, options), options.reference, options.odometry)
 {
   if (commandLine.rawlog.empty()) return;
@@ -77,17 +77,25 @@ Slam::Slam(const CommandLine& commandLine, const SlamOptions& options)
 ExitCode Slam::run()
 {
   buildTrajectory();
-  builder_.settle();
+  reportLog();
   requireScans();
-  reportSensors();
 
-  const Summary result = summary();
-  const ScanMap map = makeScanMap(builder_.scans(), options_.matching.matcher);
-  output_.write(builder_.scans(), map, simpleMap(), result, options_);
-  printSummary(std::cout, result);
+  const RunSummary summary = writeResults();
+  printSummary(std::cout, summary);
   std::cout << "map              " << output_.file("map.png") << '\n';
-  if (commandLine_.view) showMap(map);
-  return verdict(result);
+  if (commandLine_.view) showMap(makeScanMap(builder_.scans(), options_.matching.matcher));
+  return verdict(summary.trajectory);
+}
+
+RunSummary Slam::writeResults()
+{
+  RunSummary summary{trajectorySummary(), reader_->remarks(), {}};
+  const ScanMap map = makeScanMap(builder_.scans(), options_.matching.matcher);
+  output_.write(builder_.scans(), map, simpleMap(), commandLine_.matcher);
+  times_.output_s += watch_.lap_s();
+  summary.times = times_;
+  output_.writeSummary(summary, options_);
+  return summary;
 }
 
 void Slam::buildTrajectory()
@@ -95,11 +103,29 @@ void Slam::buildTrajectory()
   Progress progress("psmks-slam");
   LaserFrame frame;
   const auto limit = static_cast<std::size_t>(commandLine_.maxScans);
-  while ((limit == 0 || builder_.scans().size() < limit) && reader_.next(frame))
+  while ((limit == 0 || builder_.scans().size() < limit) && reader_->next(frame))
   {
     add(frame);
-    progress.show(reader_.shareRead());
+    progress.show(reader_->shareRead());
   }
+  times_.reading_s += watch_.lap_s();
+  builder_.settle();
+  divideBuildingTime();
+}
+
+/** What the matches did not take went into the references. */
+void Slam::divideBuildingTime()
+{
+  times_.map_s += watch_.lap_s();
+  for (const auto& scan : builder_.scans())
+    for (const auto* matches : {&scan.matches, &scan.links})
+      for (const auto& match : *matches)
+      {
+        const double segmentation_s = match.result.times.segmentation_s;
+        times_.segmentation_s += segmentation_s;
+        times_.matching_s += match.time_s - segmentation_s;
+        times_.map_s -= match.time_s;
+      }
 }
 
 void Slam::add(const LaserFrame& frame)
@@ -107,9 +133,12 @@ void Slam::add(const LaserFrame& frame)
   LogScan scan = toLogScan(frame, converter_, options_.matching.maxTilt_rad);
   const bool isFirst = builder_.scans().empty();
   if (!isFirst && !frame.odometry) ++scansWithoutOdometry_;
+  times_.reading_s += watch_.lap_s();
   const PosedScan& posed = builder_.add(std::move(scan.scan), scan.T_robot_sensor, scan.odometry);
+  times_.map_s += watch_.lap_s();
   keepKeyframes(frame);
   if (rawlog_) rawlog_->write(posed, frame);
+  times_.output_s += watch_.lap_s();
   if (!commandLine_.verbose) return;
   for (const auto& match : posed.matches)
     std::cerr << "scan " << builder_.scans().size() << " to " << match.reference + 1 << ": "
@@ -140,12 +169,12 @@ mrpt::maps::CSimpleMap Slam::simpleMap() const
 void Slam::requireScans() const
 {
   const auto& scans = builder_.scans();
-  if (scans.empty() && !reader_.damage().empty())
-    throw ProgramError(kInputDamaged, "'" + commandLine_.log + "': " + reader_.damage());
-  if (scans.empty() && commandLine_.sensor && !reader_.scansOfSensors().empty())
+  if (scans.empty() && !reader_->damage().empty())
+    throw ProgramError(kInputDamaged, "'" + commandLine_.log + "': " + reader_->damage());
+  if (scans.empty() && commandLine_.logFlags.sensor() && !reader_->scansOfSensors().empty())
     throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no scan of the sensor '" +
-                                         *commandLine_.sensor + "', but of " +
-                                         quotedSensors(reader_));
+                                         *commandLine_.logFlags.sensor() + "', but of " +
+                                         quotedSensors(*reader_));
   if (std::none_of(scans.begin(), scans.end(),
                    [](const PosedScan& posed) { return hasReturns(posed.scan); }))
     throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no usable 2D laser scan");
@@ -154,26 +183,28 @@ void Slam::requireScans() const
     throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no odometry");
 }
 
-void Slam::reportSensors() const
+void Slam::reportLog() const
 {
-  if (commandLine_.sensor || reader_.scansOfSensors().size() < 2) return;
-  std::cerr << "psmks-slam: used the scanner '" << *reader_.sensorLabel() << "' of "
-            << quotedSensors(reader_) << ", --sensor chooses another\n";
+  for (const auto& remark : reader_->remarks())
+    std::cerr << "psmks-slam: '" << commandLine_.log << "': " << remark << '\n';
+  if (commandLine_.logFlags.sensor() || reader_->scansOfSensors().size() < 2) return;
+  std::cerr << "psmks-slam: used the scanner '" << *reader_->sensorLabel() << "' of "
+            << quotedSensors(*reader_) << ", --sensor chooses another\n";
 }
 
 LogSummary Slam::logSummary() const
 {
   LogSummary log;
   log.path = commandLine_.log;
-  log.sensor = reader_.sensorLabel().value_or("");
-  log.entriesRead = reader_.entriesRead();
-  log.damage = reader_.damage();
+  log.sensor = reader_->sensorLabel().value_or("");
+  log.entriesRead = reader_->entriesRead();
+  log.damage = reader_->damage();
   log.scansWithoutOdometry = scansWithoutOdometry_;
-  log.stampsMadeUp = reader_.stampsMadeUp();
+  log.stampsMadeUp = reader_->stampsMadeUp();
   return log;
 }
 
-Summary Slam::summary() const
+Summary Slam::trajectorySummary() const
 {
   Summary result = summarise(builder_.scans(), groundTruth_);
   result.log = logSummary();
@@ -184,9 +215,9 @@ Summary Slam::summary() const
 
 ExitCode Slam::verdict(const Summary& result) const
 {
-  if (!reader_.damage().empty())
+  if (!reader_->damage().empty())
   {
-    std::cerr << "psmks-slam: '" << commandLine_.log << "': " << reader_.damage() << '\n';
+    std::cerr << "psmks-slam: '" << commandLine_.log << "': " << reader_->damage() << '\n';
     return kInputDamaged;
   }
   if (groundTruth_ && !result.error)

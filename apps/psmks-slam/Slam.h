@@ -4,11 +4,14 @@
 #include <apps/psmks-slam/CommandLine.h>
 #include <apps/psmks-slam/OutputFolder.h>
 #include <apps/support/ExitCode.h>
+#include <apps/support/LogScan.h>
 #include <mrpt/maps/CSimpleMap.h>
+#include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/MapFiles.h>
-#include <psmks/mrpt/RawlogReader.h>
+#include <psmks/mrpt/OpenLog.h>
 #include <psmks/mrpt/TrajectoryBuilder.h>
 
+#include <memory>
 #include <optional>
 
 namespace psmks
@@ -30,9 +33,11 @@ class Slam
   void add(const LaserFrame& frame);
   void keepKeyframes(const LaserFrame& frame);
   mrpt::maps::CSimpleMap simpleMap() const;
-  void reportSensors() const;
+  void reportLog() const;
   LogSummary logSummary() const;
-  Summary summary() const;
+  Summary trajectorySummary() const;
+  RunSummary writeResults();
+  void divideBuildingTime();
   void requireScans() const;
   ExitCode verdict(const Summary& summary) const;
 
@@ -40,12 +45,14 @@ class Slam
   SlamOptions options_;
   std::optional<Trajectory> groundTruth_;
   OutputFolder output_;
-  RawlogReader reader_;
+  Stopwatch watch_;
+  std::unique_ptr<LogReader> reader_;
   TrajectoryBuilder builder_;
   ScanConverter converter_;
   std::vector<std::pair<std::size_t, LaserFrame>> keyframes_;  //!< by the index of their scans
   std::optional<LaserFrame> lastFrame_;                        //!< while it is no key frame
   std::optional<MatchedRawlog> rawlog_;
   int scansWithoutOdometry_ = 0;
+  RunTimes times_;
 };
 }  // namespace psmks

@@ -44,6 +44,15 @@ Json errorJson(const TrajectoryError& e)
           {"max_deg", numberOrNull(radToDeg(e.max_rad))}};
 }
 
+Json timesJson(const RunTimes& times)
+{
+  return {{"reading", times.reading_s},
+          {"segmentation", times.segmentation_s},
+          {"matching", times.matching_s},
+          {"map", times.map_s},
+          {"output", times.output_s}};
+}
+
 Json logJson(const LogSummary& log)
 {
   return {{"path", log.path},
@@ -53,10 +62,28 @@ Json logJson(const LogSummary& log)
           {"scans_without_odometry", log.scansWithoutOdometry},
           {"stamps_made_up", log.stampsMadeUp}};
 }
+void printTimes(std::ostream& out, const RunSummary& run)
+{
+  constexpr double kPercent = 100;
+  const RunTimes& t = run.times;
+  const double share = kPercent / t.total_s();
+  out << "speed            " << std::setprecision(0) << run.scansPerSecond()
+      << " scans/s; of the run's " << std::setprecision(2) << t.total_s() << " s "
+      << std::setprecision(0) << share * t.reading_s << " % reading, " << share * t.segmentation_s
+      << " % segmentation, " << share * t.matching_s << " % matching, " << share * t.map_s
+      << " % map, " << share * t.output_s << " % output\n"
+      << std::setprecision(2);
+}
 }  // namespace
 
-void printSummary(std::ostream& out, const Summary& s)
+double RunSummary::scansPerSecond() const
 {
+  return static_cast<double>(trajectory.scans) / times.building_s();
+}
+
+void printSummary(std::ostream& out, const RunSummary& run)
+{
+  const Summary& s = run.trajectory;
   out << std::fixed << std::setprecision(2);
   out << "scans            " << s.scans << ", every one posed, " << s.unmatched
       << " by odometry alone\n";
@@ -68,6 +95,7 @@ void printSummary(std::ostream& out, const Summary& s)
     out << "time per match   median " << kMsPerSecond * s.matchMedian_s << " ms, 95 % below "
         << kMsPerSecond * s.matchP95_s << " ms; of it segmentation "
         << kMsPerSecond * s.segmentationMedian_s << " ms\n";
+  printTimes(out, run);
   out << "occupied cells   " << s.occupiedCells << " of 5 cm\n";
   if (!s.error) return;
   out << "position error   mean " << s.error->mean_m << " m, rms " << s.error->rms_m << " m, max "
@@ -76,9 +104,11 @@ void printSummary(std::ostream& out, const Summary& s)
       << radToDeg(s.error->rms_rad) << " deg, max " << radToDeg(s.error->max_rad) << " deg\n";
 }
 
-void writeSummaryJson(std::ostream& out, const Summary& s, SlamOptions& options)
+void writeSummaryJson(std::ostream& out, const RunSummary& run, SlamOptions& options)
 {
+  const Summary& s = run.trajectory;
   Json json{{"log", logJson(s.log)},
+            {"remarks", run.remarks},
             {"matcher", s.matcher},
             {"scans", s.scans},
             {"scans_by_odometry_alone", s.unmatched},
@@ -91,6 +121,8 @@ void writeSummaryJson(std::ostream& out, const Summary& s, SlamOptions& options)
             {"match_median_ms", numberOrNull(kMsPerSecond * s.matchMedian_s)},
             {"match_p95_ms", numberOrNull(kMsPerSecond * s.matchP95_s)},
             {"segmentation_median_ms", numberOrNull(kMsPerSecond * s.segmentationMedian_s)},
+            {"scans_per_second", numberOrNull(run.scansPerSecond())},
+            {"time_s", timesJson(run.times)},
             {"occupied_cells_5cm", s.occupiedCells}};
   if (s.error) json["ground_truth_error"] = errorJson(*s.error);
   json["options"] = optionsJson(options);

@@ -2,7 +2,6 @@
 #include <apps/psmks-slam/CommandLine.h>
 #include <apps/psmks-slam/Slam.h>
 #include <apps/support/ExitCode.h>
-#include <apps/support/LogScan.h>
 
 #include <iostream>
 
@@ -10,12 +9,13 @@ namespace psmks
 {
 namespace
 {
-/** Defaults, then the file, then the flags. */
+/** Defaults, then the sensor's file, then the file, then the flags. */
 SlamOptions effectiveOptions(const CommandLine& commandLine)
 {
   SlamOptions options;
   if (commandLine.matcher == "psmks-paper")
     options.matching.matcher = MatcherOptions::paperScheme();
+  if (!commandLine.sensorFile.empty()) options.load(commandLine.sensorFile);
   if (!commandLine.config.empty()) options.load(commandLine.config);
   if (commandLine.reference) options.set("reference.choice=" + *commandLine.reference);
   for (const auto& assignment : commandLine.assignments) options.set(assignment);
@@ -30,7 +30,6 @@ ExitCode run(const CommandLine& commandLine)
     std::cout << (commandLine.printConfig ? options.toIni() : options.toMarkdown());
     return kOk;
   }
-  refuseCarmen(commandLine.log);
   return Slam(commandLine, options).run();
 }
 }  // namespace

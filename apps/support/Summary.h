@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/eval/Trajectory.h>
+#include <psmks/eval/TrajectoryError.h>
 #include <psmks/mrpt/TrajectoryBuilder.h>
 
 #include <map>

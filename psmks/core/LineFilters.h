@@ -21,15 +21,20 @@ class LinearLineFilter
 
   /** Starts from the sums of a few rays, weighed as RayColumns does; false where they fix no line.
    */
-  bool start(const LineSums& seed) { return seed.solve(solution_); }
+  bool start(const LineSums& seed)
+  {
+    if (!seed.solve(solution_)) return false;
+    widen();
+    return true;
+  }
 
   /** Whether the ray's innovation is within `gate` standard deviations. */
   bool accepts(const MeasuredRay& ray, double gate) const
   {
     const double expected = solution_.inverseRange(ray.cosine, ray.sine);
     const double expected2 = expected * expected;
-    // var(1/r) = sigma(r)^2 / r^4 of the ray, plus what the line itself is uncertain by
-    const double variance = variance_m2_ * (expected2 * (expected2 + growth_1_m2_) +
+    // var(1/r) = sigma^2 / r^4 of the ray, plus what the line itself is uncertain by
+    const double variance = variance_m2_ * (expected2 * expected2 +
                                             solution_.inverseRangeVariance(ray.cosine, ray.sine));
     const double innovation = ray.inverseRange_1_m - expected;
     return expected > 0 && innovation * innovation < gate * gate * variance;
@@ -51,20 +56,33 @@ class LinearLineFilter
     const Block cosine = RayColumns::block(rays.cosine, position);
     const Block sine = RayColumns::block(rays.sine, position);
     const Block expected = solution_.u0 * cosine + solution_.u1 * sine;
-    const Block expected2 = expected.square();
     const Block line = cosine * (solution_.p00 * cosine + 2 * solution_.p01 * sine) +
                        solution_.p11 * sine.square();
-    const Block variance = variance_m2_ * (expected2 * (expected2 + growth_1_m2_) + line);
+    const Block variance = variance_m2_ * (expected.square().square() + line);
     const Block innovation = RayColumns::block(rays.inverseRange_1_m, position) - expected;
     const Block spare = gate * gate * variance - innovation.square();
     return spare.min(expected).minCoeff() > 0;
   }
 
   /** @param sums of all rays up to now, with the new ones */
-  void update(const MeasuredRay&, const LineSums& sums) { sums.solve(solution_); }
-  void update(const LineSums& sums) { sums.solve(solution_); }
+  void update(const MeasuredRay&, const LineSums& sums) { update(sums); }
+  void update(const LineSums& sums)
+  {
+    if (sums.solve(solution_)) widen();
+  }
 
  private:
+  /** Where the noise grows, a ray's var(1/r) is larger by growth sigma^2 / r^2 with 1/r = u.e: a
+   * quadratic form of its direction e, like the variance of the line, and counted with that. */
+  void widen()
+  {
+    if (growth_1_m2_ == 0) return;
+    LineSums::Solution& s = solution_;
+    s.p00 += growth_1_m2_ * s.u0 * s.u0;
+    s.p01 += growth_1_m2_ * s.u0 * s.u1;
+    s.p11 += growth_1_m2_ * s.u1 * s.u1;
+  }
+
   double variance_m2_, growth_1_m2_;
   LineSums::Solution solution_{};
 };

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/LineFilters.h>
 #include <psmks/core/LineFit.h>
+#include <psmks/core/NoiseEstimate.h>
 #include <psmks/core/Preprocessing.h>
 #include <psmks/core/Segmentation.h>
 #include <psmks/core/ThreeRayTest.h>
@@ -20,20 +21,6 @@ RangeNoise statedNoise(const Scan& scan, const SegmentationOptions& options)
 {
   return {scan.rangeSigma_m > 0 ? scan.rangeSigma_m : options.rangeSigma_m,
           options.rangeSigmaPerMetre_m};
-}
-
-/** The noise that the rays are said to have, raised to what they show where that is clearly more.
- */
-RangeNoise shownNoise(const RayColumns& rays, std::vector<double>& scratch)
-{
-  constexpr double kClearlyMore = 1.6;
-  constexpr double kLargest_m = 0.08;  // beyond, it is clutter and not noise
-  const double stated_m = rays.noise.sigma_m;
-  const double clear_m = kClearlyMore * stated_m;
-  if (!mayShowNoiseAbove(rays, clear_m)) return rays.noise;
-  const double shown_m = estimateRangeSigma_m(rays, scratch);
-  if (!(shown_m > clear_m)) return rays.noise;
-  return rays.noise.scaledTo(std::min(shown_m, std::max(stated_m, kLargest_m)));
 }
 
 /** The line of the marked rays by the paper's filter, or `otherwise` where it does not start. It

@@ -72,20 +72,23 @@ class ThreeRays
 
 }  // namespace
 
-void threeRayTests(const RayColumns& rays, std::vector<double>& tests_m2)
+void threeRayTests(const RayColumns& rays, std::vector<double>& tests_m2, const RangeSpan& span)
 {
   const ThreeRays test(rays);
   tests_m2.clear();
   for (int p = 1; p < rays.rays - 1; ++p)
   {
     const Fraction f = test.at(p - 1, p, p + 1);
-    if (test.valid(p - 1, p, p + 1)) tests_m2.push_back(f.square / f.variance);
+    const bool counts =
+        test.valid(p - 1, p, p + 1) && span.holds(rays.range_m[static_cast<std::size_t>(p)]);
+    if (counts) tests_m2.push_back(f.square / f.variance);
   }
 }
 
-double estimateRangeSigma_m(const RayColumns& rays, std::vector<double>& scratch)
+double estimateRangeSigma_m(const RayColumns& rays, std::vector<double>& scratch,
+                            const RangeSpan& span)
 {
-  threeRayTests(rays, scratch);
+  threeRayTests(rays, scratch, span);
   const auto end = std::partition(scratch.begin(), scratch.end(),
                                   [](double test_m2) { return test_m2 <= kEdge_m * kEdge_m; });
   const auto tests = end - scratch.begin();

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/eval/StampIndex.h>
 #include <psmks/eval/Trajectory.h>
 
 #include <string>
@@ -39,7 +40,4 @@ struct RelationError
  * go backwards; of poses with one stamp the first counts. */
 std::vector<RelationError> relationErrors(const Trajectory& estimate,
                                           const std::vector<Relation>& relations);
-
-/** Between the stamp of a relation and that of a pose. */
-constexpr double kStampTolerance_s = 0.02;
 }  // namespace psmks

@@ -9,6 +9,9 @@
 
 namespace psmks
 {
+/** A stamp that another program wrote counts as that of a scan up to so far away. */
+constexpr double kStampTolerance_s = 0.02;
+
 /** Finds the poses of a trajectory by their stamps, whose order does not matter: those of real logs
  *  repeat and go backwards. */
 class StampIndex

@@ -45,19 +45,4 @@ void writeTum(std::ostream& out, const Trajectory& trajectory);
 
 /** Writes MRPT's ground truth, as its graphslam-engine reads it: "stamp x y phi", radians. */
 void writeMrptGroundTruth(std::ostream& out, const Trajectory& trajectory);
-
-/** Errors of an estimated trajectory at the stamps of the truth's that it covers. */
-struct TrajectoryError
-{
-  std::size_t poses = 0;  //!< that could be compared; the rest is NaN where there are none
-  double mean_m, rms_m, max_m;
-  double mean_rad, rms_rad, max_rad;
-};
-
-/** Both trajectories are laid over each other at the first pose that they share, as the paper does;
- * the truth is interpolated to the stamps of the estimate, across gaps of kMaxGap_s at most. */
-TrajectoryError trajectoryError(const Trajectory& estimate, const Trajectory& truth);
-
-/** Poses of the truth further apart in time are not interpolated. */
-constexpr double kMaxGap_s = 2.0;
 }  // namespace psmks

@@ -78,7 +78,7 @@ CarmenGeometry::CarmenGeometry(const std::string& sensor, const CarmenSurvey& su
       isStatedByMessages ? scans.T_robot_sensor : mountingOfParameters(survey, isRear(sensor));
 }
 
-BeamGrid CarmenGeometry::grid(const CarmenScanner& stated, int rays) const
+const BeamGrid& CarmenGeometry::grid(const CarmenScanner& stated, int rays)
 {
   const auto fieldOfView_rad =
       firstOf(options_.fieldOfView_rad, stated.fieldOfView_rad, parameters_.fieldOfView_rad);
@@ -92,7 +92,10 @@ BeamGrid CarmenGeometry::grid(const CarmenScanner& stated, int rays) const
   const bool userKnows = options_.fieldOfView_rad.has_value();
   const double first_rad =
       userKnows ? centered_rad : stated.firstBearing_rad.value_or(centered_rad);
-  return {first_rad, increment_rad, rays};
+  const bool isKnown = grid_.count() == rays && grid_.firstBearing_rad() == first_rad &&
+                       grid_.increment_rad() == increment_rad;
+  if (!isKnown) grid_ = BeamGrid(first_rad, increment_rad, rays);
+  return grid_;
 }
 
 double CarmenGeometry::maxRange_m(const CarmenScanner& stated) const

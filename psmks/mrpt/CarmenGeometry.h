@@ -32,7 +32,7 @@ class CarmenGeometry
    *     last ray   +90     +89     +90     +89.5 deg
    *
    * An angle between rays by which they would go round more than once is taken for a mistake. */
-  BeamGrid grid(const CarmenScanner& stated, int rays) const;
+  const BeamGrid& grid(const CarmenScanner& stated, int rays);
 
   /** Readings at or beyond it are no returns. */
   double maxRange_m(const CarmenScanner& stated) const;
@@ -45,5 +45,6 @@ class CarmenGeometry
   CarmenScanner parameters_;
   double noReturn_m_;
   Pose2 T_robot_sensor_;
+  BeamGrid grid_;  //!< of the last message: most scans share theirs
 };
 }  // namespace psmks

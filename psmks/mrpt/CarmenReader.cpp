@@ -24,7 +24,7 @@ std::string counted(int count, const std::string& thing)
 }
 
 /** An infinite range is no return even where nothing limits the range. */
-Scan toScan(const CarmenMessage& message, const CarmenGeometry& geometry)
+Scan toScan(const CarmenMessage& message, CarmenGeometry& geometry)
 {
   const CarmenScanner stated = message.scanner.value_or(CarmenScanner());
   Scan scan;
@@ -125,7 +125,7 @@ bool CarmenReader::takeScan(LaserFrame& frame)
 
 CObservation2DRangeScan::Ptr CarmenReader::observation(double stamp_s)
 {
-  const CarmenGeometry& geometry = geometries_.at(message_.name);
+  CarmenGeometry& geometry = geometries_.at(message_.name);
   Scan scan = toScan(message_, geometry);
   scan.stamp_s = stamp_s;
   const auto observation = toMrpt(scan, geometry.T_robot_sensor());

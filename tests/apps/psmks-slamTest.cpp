@@ -305,7 +305,6 @@ TEST_F(PsmksSlam, helpAndVersionGoToStdout)
 TEST_F(PsmksSlam, wrongCommandLinesEndWithOneSentence)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
-  std::ofstream(path("carmen.log")) << "# CARMEN\n";
   std::ofstream(path("foreign.ini")) << "[ICP]\nmaxIterations = 3\n";
   std::ofstream(path("wrong.ini")) << "[psmks.segmentation]\nmin_ray = 6\n";
   const std::pair<const char*, const char*> expected[] = {
@@ -319,7 +318,8 @@ TEST_F(PsmksSlam, wrongCommandLinesEndWithOneSentence)
       {"room.rawlog --config none.ini", "none.ini"},
       {"room.rawlog --config foreign.ini", "foreign.ini"},
       {"room.rawlog --config wrong.ini", "min_rays"},
-      {"carmen.log", "CARMEN"}};
+      {"room.rawlog --carmen-stamps clock", "clock"},
+      {"room.rawlog --carmen-fov_deg 400", "fov_deg"}};
   for (const auto& [arguments, word] : expected)
   {
     const ProgramRun result = run(std::string(arguments) + " --output out");

@@ -1,0 +1,32 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/mrpt/OpenLog.h>
+
+#include <optional>
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+
+namespace psmks
+{
+/** The flags by which a user says how to read a log. */
+class LogFlags
+{
+ public:
+  /** --sensor and --carmen-* */
+  void addTo(CLI::App& app);
+
+  LogOptions options() const;
+
+  const std::optional<std::string>& sensor() const { return sensor_; }
+
+ private:
+  std::optional<std::string> sensor_;
+  std::optional<double> increment_deg_, fieldOfView_deg_, maxRange_m_;
+  std::optional<std::string> stamp_;
+};
+}  // namespace psmks

@@ -1,0 +1,310 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <mrpt/io/CFileGZOutputStream.h>
+#include <psmks/core/Angle.h>
+#include <psmks/mrpt/CarmenReader.h>
+#include <psmks/mrpt/Convert.h>
+#include <tests/support/PoseMatcher.h>
+#include <tests/unit/mrpt/CarmenText.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace psmks
+{
+namespace
+{
+using namespace test;
+
+/** What a float aperture leaves of a bearing. */
+constexpr double kBearingTolerance_rad = 1e-7;
+
+const std::vector<double> kRanges_m(181, 2.5);
+
+/** Direction of a ray as the robot sees it. */
+double bearing_deg(const LaserFrame& frame, int ray)
+{
+  const Scan scan = ScanConverter().convert(*frame.scan);
+  return radToDeg(sensorMounting(*frame.scan).T_robot_sensor.phi_rad + scan.grid.bearing_rad(ray));
+}
+
+class CarmenReaderTest : public testing::Test
+{
+ protected:
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  std::vector<LaserFrame> framesOf(const std::string& text, const CarmenOptions& options = {},
+                                   const std::optional<std::string>& sensor = std::nullopt)
+  {
+    std::ofstream(path_) << text;
+    return read(options, sensor);
+  }
+
+  std::vector<LaserFrame> read(const CarmenOptions& options = {},
+                               const std::optional<std::string>& sensor = std::nullopt)
+  {
+    CarmenReader reader(path_, sensor, options);
+    std::vector<LaserFrame> frames;
+    for (LaserFrame frame; reader.next(frame);) frames.push_back(frame);
+    damage_ = reader.damage();
+    remarks_ = reader.remarks();
+    stampsMadeUp_ = reader.stampsMadeUp();
+    scansOfSensors_ = reader.scansOfSensors();
+    return frames;
+  }
+
+  void expectRemark(const std::string& words) const
+  {
+    for (const auto& remark : remarks_)
+      if (remark.find(words) != std::string::npos) return;
+    ADD_FAILURE() << "no remark '" << words << "' among " << testing::PrintToString(remarks_);
+  }
+
+  /** First and last bearing of a FLASER with so many rays after these parameters. */
+  void expectBearings(const std::string& parameters, std::size_t rays, double first_deg,
+                      double last_deg, const CarmenOptions& options = {})
+  {
+    const auto frames =
+        framesOf(parameters + flaser(std::vector<double>(rays, 2.5), {}, 1), options);
+    ASSERT_EQ(frames.size(), 1u);
+    const double tolerance_deg = radToDeg(kBearingTolerance_rad);
+    EXPECT_NEAR(bearing_deg(frames[0], 0), first_deg, tolerance_deg) << rays;
+    EXPECT_NEAR(bearing_deg(frames[0], static_cast<int>(rays) - 1), last_deg, tolerance_deg)
+        << rays;
+  }
+
+  const std::string path_ = testing::TempDir() + "CarmenReaderTest_" +
+                            testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::string damage_;
+  std::vector<std::string> remarks_;
+  std::map<std::string, int> scansOfSensors_;
+  int stampsMadeUp_ = 0;
+};
+
+TEST_F(CarmenReaderTest, scansComeWithTheirStampsRangesAndTheRobotsMotion)
+{
+  auto ranges_m = kRanges_m;
+  ranges_m[3] = 1.25;
+  const Pose2 from{1, 2, 0.5}, to{1.2, 2.1, 0.6};
+  const auto frames = framesOf("# CARMEN log\n" + flaser(ranges_m, from, 1134864629.895182) +
+                               "NEFF 3 0 host 0\n" + flaser(kRanges_m, to, 1134864630.125));
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(damage_, "");
+  EXPECT_TRUE(remarks_.empty()) << testing::PrintToString(remarks_);
+  EXPECT_NEAR(frames[0].stamp_s, 1134864629.895182, 1e-6);
+  EXPECT_NEAR(mrpt::Clock::toDouble(frames[1].scan->timestamp), 1134864630.125, 1e-6);
+  EXPECT_EQ(frames[0].scan->getScanRange(3), 1.25f);
+  EXPECT_EQ(frames[0].scan->sensorLabel, "FLASER");
+  EXPECT_FALSE(frames[0].odometry);
+  EXPECT_TRUE(isNearly(*frames[1].odometry, from.inverse() * to, 1e-9, 1e-9));
+}
+
+//   number of rays even: the ray at +90 degrees is missing      \  |  /
+//   number of rays odd: both ends are there                  - - - o - - -
+TEST_F(CarmenReaderTest, bearingsBeginAtTheRightEndOfTheHalfCircle)
+{
+  expectBearings("", 180, -90, 89);
+  expectBearings("", 181, -90, 90);
+  expectBearings("", 360, -90, 89.5);
+  expectBearings("", 361, -90, 90);
+}
+
+TEST_F(CarmenReaderTest, parametersStateResolutionAndFieldOfView)
+{
+  const std::string quarter = "PARAM laser_front_laser_resolution 0.25 0 host 0\n";
+  expectBearings(quarter, 401, -50, 50);
+  expectBearings(quarter + "PARAM laser_front_laser_fov 180 0 host 0\n", 401, -90, 10);
+  expectBearings("PARAM laser_front_laser_resolution 1 0 host 0\n", 361, -90, 90);  // not round
+}
+
+TEST_F(CarmenReaderTest, whatTheUserKnowsGoesBeforeTheParameters)
+{
+  CarmenOptions options;
+  options.increment_rad = degToRad(0.5);
+  options.fieldOfView_rad = degToRad(270.0);
+  expectBearings("PARAM laser_front_laser_resolution 0.25 0 host 0\n", 541, -135, 135, options);
+  options.increment_rad.reset();
+  options.fieldOfView_rad = degToRad(360.0);
+  expectBearings("", 361, -180, 180 - 360.0 / 361, options);
+}
+
+TEST_F(CarmenReaderTest, aFieldOfViewThatNothingStatesIsRemarkedOn)
+{
+  expectBearings("", 91, -90, 90);
+  expectRemark("nothing states the field of view of 91 rays");
+}
+
+TEST_F(CarmenReaderTest, theLaserSitsWhereTheParametersPutIt)
+{
+  const std::string text =
+      "PARAM robot_frontlaser_offset 0.3 0 host 0\n"
+      "PARAM robot_rearlaser_offset -0.2 0 host 0\n" +
+      flaser(kRanges_m, {}, 1) + "R" + flaser(kRanges_m, {}, 2).substr(1);
+  const auto front = framesOf(text);
+  ASSERT_EQ(front.size(), 1u);
+  EXPECT_TRUE(isNearly(sensorMounting(*front[0].scan).T_robot_sensor, {0.3, 0, 0}, 1e-9, 1e-9));
+  const auto rear = framesOf(text, {}, "RLASER");
+  ASSERT_EQ(rear.size(), 1u);
+  EXPECT_TRUE(isNearly(sensorMounting(*rear[0].scan).T_robot_sensor, {-0.2, 0, kPi}, 1e-9, 1e-9));
+  EXPECT_EQ(rear[0].observations.size(), 2u);
+  EXPECT_EQ(scansOfSensors_, (std::map<std::string, int>{{"FLASER", 1}, {"RLASER", 1}}));
+}
+
+TEST_F(CarmenReaderTest, aRobotLaserStatesItsScanner)
+{
+  // 5 rays from -100 to +100 degrees, 20 cm ahead of the robot at (1, 2), which looks to the left.
+  const std::string scanner = "ROBOTLASER1 0 -1.745329252 3.490658504 0.872664626 30 0.02 0";
+  const std::string poses = " 1 2.2 1.5707963268 1 2 1.5707963268 0.1 0 0.5 0.2 1e6";
+  for (const std::string remissions : {"", " 0", " 5 1 2 3 4 5"})
+  {
+    const auto frames =
+        framesOf(scanner + " 5 1 2 3 30 5" + remissions + poses + carmenStamps(7, 8));
+    ASSERT_EQ(frames.size(), 1u) << remissions << testing::PrintToString(remarks_);
+    EXPECT_NEAR(bearing_deg(frames[0], 0), -100, 1e-5);
+    EXPECT_NEAR(bearing_deg(frames[0], 4), 100, 1e-5);
+    EXPECT_TRUE(isNearly(sensorMounting(*frames[0].scan).T_robot_sensor, {0.2, 0, 0}, 1e-6, 1e-6));
+    EXPECT_EQ(frames[0].scan->maxRange, 30.f);
+    EXPECT_FALSE(frames[0].scan->getScanRangeValidity(3));
+    EXPECT_EQ(frames[0].scan->stdError, 0.02f);
+    EXPECT_EQ(frames[0].stamp_s, 7);
+  }
+}
+
+TEST_F(CarmenReaderTest, rangesThatAreNoReturnsAreFlagged)
+{
+  auto ranges_m = kRanges_m;
+  ranges_m[1] = 81.91;
+  ranges_m[2] = 81.83;
+  ranges_m[3] = 0;
+  std::string text = flaser(ranges_m, {}, 1);
+  text.replace(text.find(" 2.5"), 4, " NaN");
+  const auto frames = framesOf(text);
+  ASSERT_EQ(frames.size(), 1u);
+  for (std::size_t ray : {0u, 1u, 2u, 3u})
+    EXPECT_FALSE(frames[0].scan->getScanRangeValidity(ray)) << ray;
+  EXPECT_TRUE(frames[0].scan->getScanRangeValidity(4));
+  EXPECT_EQ(frames[0].scan->maxRange, 80.f);
+}
+
+TEST_F(CarmenReaderTest, theRangeLimitIsThatOfTheUserOrOfTheParameters)
+{
+  const std::string text = "PARAM robot_front_laser_max 2.5 0 host 0\n" + flaser(kRanges_m, {}, 1);
+  EXPECT_FALSE(framesOf(text)[0].scan->getScanRangeValidity(4));
+  CarmenOptions options;
+  options.maxRange_m = 3;
+  EXPECT_TRUE(framesOf(text, options)[0].scan->getScanRangeValidity(4));
+}
+
+TEST_F(CarmenReaderTest, odomMessagesStandInForScansWithoutOdometry)
+{
+  const auto frames =
+      framesOf(odom({0, 0, 0}, 1.0) + flaser(kRanges_m, {}, 1.0) + odom({0.1, 0, 0}, 1.5) +
+               odom({0.3, 0, 0}, 2.0) + flaser(kRanges_m, {}, 2.0));
+  ASSERT_EQ(frames.size(), 2u);
+  ASSERT_TRUE(frames[1].odometry);
+  EXPECT_TRUE(isNearly(*frames[1].odometry, {0.3, 0, 0}, 1e-9, 1e-9));
+  expectRemark("that of the ODOM messages stands in");
+}
+
+TEST_F(CarmenReaderTest, stampsAreIpcsUnlessTheyAreZeroOrTheUserWantsTheLoggers)
+{
+  const std::string both = flaser(kRanges_m, {}, 100, 1) + flaser(kRanges_m, {}, 101, 2);
+  EXPECT_EQ(framesOf(both)[0].stamp_s, 100);
+  CarmenOptions options;
+  options.stamp = CarmenStamp::Logger;
+  EXPECT_EQ(framesOf(both, options)[0].stamp_s, 1);
+  EXPECT_EQ(framesOf(flaser(kRanges_m, {}, 0, 1) + flaser(kRanges_m, {}, 0, 2))[1].stamp_s, 2);
+  EXPECT_EQ(stampsMadeUp_, 0);
+}
+
+TEST_F(CarmenReaderTest, whereBothStampsAreZeroTheyAreMadeUp)
+{
+  std::string nobodysLog = flaser(kRanges_m, {}, 0) + flaser(kRanges_m, {}, 0);
+  const auto frames = framesOf(nobodysLog);
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(stampsMadeUp_, 2);
+  EXPECT_GT(frames[1].stamp_s, frames[0].stamp_s);
+  EXPECT_EQ(frames[0].scan->timestamp, INVALID_TIMESTAMP);
+}
+
+TEST_F(CarmenReaderTest, stampsThatRepeatOrGoBackAreKeptAndRemarkedOn)
+{
+  std::string text;
+  for (const double stamp_s : {1.0, 2.0, 2.0, 1.5, 3.0}) text += flaser(kRanges_m, {}, stamp_s);
+  const auto frames = framesOf(text);
+  ASSERT_EQ(frames.size(), 5u);
+  EXPECT_EQ(frames[3].stamp_s, 1.5);
+  expectRemark("1 scan with the stamp of the scan before, in line 3");
+  expectRemark("1 scan with an earlier stamp than the scan before, in line 4");
+}
+
+TEST_F(CarmenReaderTest, malformedMessagesAreSkippedAndCounted)
+{
+  const std::string good = flaser(kRanges_m, {}, 1);
+  std::string tooFew = good, tooMany = good, noNumber = good, noPose = good;
+  tooFew.replace(tooFew.find(" 2.5"), 4, "");
+  tooMany.replace(tooMany.find(" 2.5"), 4, " 2.5 2.5");
+  noNumber.replace(noNumber.find(" 2.5"), 4, " 2,5");
+  noPose.replace(noPose.find(" 9 9"), 4, " 9 nan");
+  const auto frames =
+      framesOf(good + tooFew + tooMany + noNumber + noPose + "FLASER\nFLASER -3 1 2\n" +
+               "ODOM 1 2 3\n" + good.substr(0, 200) + "\n" + flaser(kRanges_m, {}, 2));
+  EXPECT_EQ(frames.size(), 2u);
+  expectRemark("8 malformed messages skipped, the first in line 2");
+  EXPECT_EQ(damage_, "");
+}
+
+TEST_F(CarmenReaderTest, linesMayEndAsOnDos)
+{
+  std::string text = flaser(kRanges_m, {}, 1);
+  text.insert(text.size() - 1, "\r");
+  EXPECT_EQ(framesOf(text).size(), 1u);
+}
+
+TEST_F(CarmenReaderTest, missingEmptyAndForeignFilesAreDamage)
+{
+  read();
+  EXPECT_NE(damage_.find("no such file"), std::string::npos);
+  framesOf("");
+  EXPECT_EQ(damage_, "the file is empty");
+  framesOf("Dear diary,\ntoday\n");
+  EXPECT_NE(damage_.find("not a CARMEN log: none of its 2 lines"), std::string::npos) << damage_;
+}
+
+TEST_F(CarmenReaderTest, aCutGzippedLogYieldsTheScansBeforeTheCut)
+{
+  mrpt::io::CFileGZOutputStream file(path_);
+  for (int i = 1; i <= 400; ++i)
+  {
+    std::vector<double> ranges_m;
+    for (int ray = 0; ray < 181; ++ray) ranges_m.push_back(1 + (i * 37 + ray * 101) % 997 * 0.01);
+    const std::string message = flaser(ranges_m, {}, i);
+    file.Write(message.data(), message.size());
+  }
+  file.close();
+  ASSERT_EQ(read().size(), 400u);
+  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) / 2);
+  const auto frames = read();
+  EXPECT_GT(frames.size(), 100u);
+  EXPECT_LT(frames.size(), 300u);
+  EXPECT_EQ(damage_, "read " + std::to_string(frames.size()) +
+                         " messages, then: the compressed data is cut off");
+  EXPECT_TRUE(remarks_.empty()) << testing::PrintToString(remarks_);
+}
+
+TEST_F(CarmenReaderTest, aRealLogIsReadWhole)
+{
+  const char* folder = std::getenv("PSMKS_DATA_DIR");
+  if (!folder) GTEST_SKIP() << "PSMKS_DATA_DIR is not set";
+  CarmenReader reader(std::string(folder) + "/csail.log.gz");
+  double path_m = 0;
+  int scans = 0;
+  for (LaserFrame frame; reader.next(frame); ++scans)
+    if (frame.odometry) path_m += frame.odometry->translation().norm();
+  EXPECT_EQ(scans, 1051);
+  EXPECT_NEAR(path_m, 373.2, 0.1);
+  EXPECT_EQ(reader.damage(), "");
+  EXPECT_TRUE(reader.remarks().empty());
+}
+}  // namespace
+}  // namespace psmks
