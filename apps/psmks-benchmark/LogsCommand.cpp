@@ -138,7 +138,7 @@ Log LogsCommand::readLog(const std::string& path)
   ScanConverter converter;
   const auto wanted = static_cast<std::size_t>(maxScans_);
   for (LaserFrame frame; (wanted == 0 || log.scans.size() < wanted) && reader.next(frame);)
-    log.scans.push_back(toLogScan(frame, converter, options_.matching.maxTilt_rad));
+    log.scans.push_back(toLogScan(frame, converter, options_.matching));
   if (!reader.damage().empty())
   {
     damaged_ = true;

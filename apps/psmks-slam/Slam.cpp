@@ -130,7 +130,7 @@ void Slam::divideBuildingTime()
 
 void Slam::add(const LaserFrame& frame)
 {
-  LogScan scan = toLogScan(frame, converter_, options_.matching.maxTilt_rad);
+  LogScan scan = toLogScan(frame, converter_, options_.matching);
   const bool isFirst = builder_.scans().empty();
   if (!isFirst && !frame.odometry) ++scansWithoutOdometry_;
   times_.reading_s += watch_.lap_s();

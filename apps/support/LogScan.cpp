@@ -2,17 +2,23 @@
 #include <apps/support/ExitCode.h>
 #include <apps/support/LogScan.h>
 #include <psmks/core/Preprocessing.h>
+#include <psmks/core/Sweep.h>
 
 #include <algorithm>
 
 namespace psmks
 {
-LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter, double maxTilt_rad)
+LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter,
+                  const ScanMatcherOptions& options)
 {
   const SensorMounting mounting = sensorMounting(*frame.scan);
   LogScan result{converter.convert(*frame.scan), mounting.T_robot_sensor, frame.odometry};
   result.scan.stamp_s = frame.stamp_s;
-  if (mounting.tilt_rad > maxTilt_rad)
+  const double beamTurn_s = options.beamTurn_s != 0 ? options.beamTurn_s : frame.beamTurn_s;
+  const bool raysReversed = frame.scan->rightToLeft == mounting.upsideDown;
+  result.scan.sweepDuration_s =
+      sweepDuration_s(result.scan.grid, raysReversed ? -beamTurn_s : beamTurn_s);
+  if (mounting.tilt_rad > options.maxTilt_rad)
     std::fill(result.scan.valid.begin(), result.scan.valid.end(), std::uint8_t{0});
   return result;
 }

@@ -4,6 +4,7 @@
 #include <psmks/core/Scan.h>
 #include <psmks/mrpt/Convert.h>
 #include <psmks/mrpt/RawlogReader.h>
+#include <psmks/mrpt/ScanMatcherOptions.h>
 
 #include <optional>
 #include <string>
@@ -18,8 +19,10 @@ struct LogScan
   std::optional<Pose2> odometry;  //!< see LaserFrame
 };
 
-/** @param maxTilt_rad of the scanner; a scan tilted further has no valid ray */
-LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter, double maxTilt_rad);
+/** @param options of the mounting: a scan tilted further has no valid ray, a stated turn of the
+ * beam goes before that of the log */
+LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter,
+                  const ScanMatcherOptions& options);
 
 /** Whether any ray of the scan met anything. */
 bool hasReturns(const Scan& scan);

@@ -18,6 +18,7 @@ struct Scan
   double maxRange_m = 0;            //!< readings at or beyond it are no returns; 0 = no limit
   double rangeSigma_m = 0;          //!< standard deviation of a range; 0 = unknown
   double stamp_s = 0;               //!< seconds since the epoch, of the first ray
-  double sweepDuration_s = 0;       //!< from the first to the last ray; 0 = at once or unknown
+  double sweepDuration_s = 0;       //!< from the first to the last ray, negative where the last one
+                                    //!< came first; 0 = at once or unknown
 };
 }  // namespace psmks

@@ -36,6 +36,12 @@ void straightenSweep(Scan& scan, double turnRate_rad_s)
   if (kept < rays) dropRaysFrom(kept, scan);
 }
 
+double sweepDuration_s(const BeamGrid& grid, double beamTurn_s)
+{
+  const double swept_rad = std::max(0, grid.count() - 1) * grid.increment_rad();
+  return beamTurn_s * swept_rad / (2 * kPi);
+}
+
 void TurnRate::add(double stamp_s, double turned_rad)
 {
   const double heading_rad = readings_.empty() ? 0 : readings_.back().heading_rad + turned_rad;

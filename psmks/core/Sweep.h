@@ -22,6 +22,9 @@ namespace psmks
  * are dropped at the end. Does nothing where the duration is unknown or a value is not finite. */
 void straightenSweep(Scan& scan, double turnRate_rad_s);
 
+/** From the first to the last ray of a scanner whose beam goes once round in a time. */
+double sweepDuration_s(const BeamGrid& grid, double beamTurn_s);
+
 /** How fast a robot turns, from its headings at the times of its scans.
  *
  * The rate is that over the last kWindow_s at least: stamps of single scans jitter. */

@@ -105,6 +105,13 @@ double CarmenGeometry::maxRange_m(const CarmenScanner& stated) const
   return std::min(said_m.value_or(noReturn_m_), noReturn_m_);
 }
 
+double CarmenGeometry::beamTurn_s(const std::optional<CarmenScanner>& stated)
+{
+  constexpr int kSickLms = 0, kSickPls = 1;
+  const int type = stated ? stated->type.value_or(-1) : kSickLms;
+  return type == kSickLms ? 1.0 / 75 : type == kSickPls ? 1.0 / 25 : 0;
+}
+
 bool CarmenGeometry::isGuessed(const CarmenScanner& stated, int rays) const
 {
   constexpr int kUsual[] = {180, 181, 360, 361};

@@ -37,6 +37,11 @@ class CarmenGeometry
   /** Readings at or beyond it are no returns. */
   double maxRange_m(const CarmenScanner& stated) const;
 
+  /** Time in which the beam goes once round: of the SICK LMS (75 turns a second), for which the
+   * messages without a scanner's description were made, and of the SICK PLS (25); 0 for others.
+   *  Source: SICK, technical descriptions LMS 200 / 211 / 221 / 291 and PLS 101. */
+  static double beamTurn_s(const std::optional<CarmenScanner>& stated);
+
   /** Whether nothing but the number of its rays tells where they point to. */
   bool isGuessed(const CarmenScanner& stated, int rays) const;
 

@@ -110,8 +110,12 @@ bool readScanner(Words& words, CarmenScanner& scanner)
   for (double* value : {&type, &first_rad, &fieldOfView_rad, &increment_rad, &maxRange_m,
                         &accuracy_m, &remissionMode})
     if (!readFinite(words, *value)) return false;
-  scanner = {first_rad, positive(fieldOfView_rad), positive(increment_rad), positive(maxRange_m),
-             positive(accuracy_m)};
+  scanner = {first_rad,
+             positive(fieldOfView_rad),
+             positive(increment_rad),
+             positive(maxRange_m),
+             positive(accuracy_m),
+             static_cast<int>(type)};
   return true;
 }
 

@@ -23,6 +23,7 @@ enum class CarmenKind
 struct CarmenScanner
 {
   std::optional<double> firstBearing_rad, fieldOfView_rad, increment_rad, maxRange_m, sigma_m;
+  std::optional<int> type;  //!< CARMEN's number of the kind of scanner: 0 SICK LMS, 1 SICK PLS, ...
 };
 
 /** One line of a CARMEN log. Which fields count depends on the kind.

@@ -24,6 +24,9 @@ struct LaserFrame
    * not. */
   std::optional<Pose2> odometry;
 
+  /** Time in which the scanner's beam goes once round; 0 where the log does not tell. */
+  double beamTurn_s = 0;
+
   /** Everything observed since the frame before, this scan included, odometry left out. */
   mrpt::obs::CSensoryFrame observations;
 };

@@ -12,9 +12,14 @@ OptionTable optionTable(ScanMatcherOptions& options)
 {
   OptionTable table = optionTable(options.matcher);
   listFields(table, options.view);
-  table.beginSection("mounting", "How a scanner may sit on its robot.");
+  table.beginSection("mounting", "How a scanner sits and turns on its robot.");
   table.add("max_tilt_deg", options.maxTilt_rad, Unit::Degree, 0, degToRad(45),
             "scans tilted further out of the horizontal plane are not matched");
+  table.add(
+      "beam_turn_s", options.beamTurn_s, Unit::Second, -10, 10,
+      "time in which the beam goes once round, negative where that is against the order of the "
+      "rays: what the robot turns meanwhile is taken out of a log's scans; 0: as the log states, "
+      "else unknown");
   return table;
 }
 

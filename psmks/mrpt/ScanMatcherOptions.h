@@ -22,6 +22,10 @@ struct ScanMatcherOptions : public mrpt::config::CLoadableOptions
   /** Scanners tilted further out of the plane cannot be matched. */
   double maxTilt_rad = degToRad(5);
 
+  /** Time in which the beam goes once round; 0: as the log states, or unknown. A robot that turns
+   * while the beam sweeps distorts the scan, see straightenSweep(). */
+  double beamTurn_s = 0;
+
   /** Options that the file does not name keep their values.
    *  @throws OptionError as loadOptions() does; nothing is changed then */
   void loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
