@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/Convergence.h>
+#include <apps/psmks-benchmark/Guesses.h>
 #include <psmks/eval/PairError.h>
 #include <psmks/mrpt/PairMatcher.h>
 
-#include <cmath>
 #include <memory>
 #include <random>
 
@@ -15,17 +15,6 @@ std::vector<double> evenly(double largest, int steps)
 {
   const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(steps, 0, largest);
   return {values.begin(), values.end()};
-}
-
-/** A guess this far from the truth, in a random direction. */
-Guess displaced(const Pose2& truth, double distance_m, double rotation_rad, std::mt19937_64& random)
-{
-  const double direction_rad = std::uniform_real_distribution<double>(-kPi, kPi)(random);
-  const double sign = std::bernoulli_distribution()(random) ? 1 : -1;
-  return {{truth.x_m + distance_m * std::cos(direction_rad),
-           truth.y_m + distance_m * std::sin(direction_rad),
-           wrapAngle(truth.phi_rad + sign * rotation_rad)},
-          std::nullopt};
 }
 
 bool succeeds(PairMatcher& matcher, const ScanPair& pair, const Guess& guess)
@@ -62,9 +51,9 @@ std::vector<ConvergenceMap> measureConvergence(const std::vector<ScanPair>& pair
     for (Eigen::Index r = 0; r < rows; ++r)
       for (Eigen::Index c = 0; c < columns; ++c)
       {
-        const Guess guess =
-            displaced(pair.T_ref_cur_true, options.grid.distances_m[static_cast<std::size_t>(c)],
-                      options.grid.rotations_rad[static_cast<std::size_t>(r)], random);
+        const Guess guess = displacedGuess(
+            pair.T_ref_cur_true, options.grid.distances_m[static_cast<std::size_t>(c)],
+            options.grid.rotations_rad[static_cast<std::size_t>(r)], random);
         for (std::size_t m = 0; m < matchers.size(); ++m)
           if (succeeds(*matchers[m], pair, guess)) maps[m].successShare(r, c) += share;
       }

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/core/Angle.h>
 #include <psmks/core/MatcherOptions.h>
 #include <psmks/eval/PairsFile.h>
 
@@ -19,11 +20,18 @@ struct ConvergenceGrid
 
   /** So many steps each, evenly from 0 to the largest. */
   static ConvergenceGrid even(double maxDistance_m, double maxRotation_rad, int steps);
+
+  // Where nothing else is said.
+  static constexpr double kMaxDistance_m = 1.5;
+  static constexpr double kMaxRotation_deg = 60;
+  static constexpr int kSteps = 7;
 };
 
 struct ConvergenceOptions
 {
-  ConvergenceGrid grid;
+  ConvergenceGrid grid =
+      ConvergenceGrid::even(ConvergenceGrid::kMaxDistance_m,
+                            degToRad(ConvergenceGrid::kMaxRotation_deg), ConvergenceGrid::kSteps);
   std::vector<std::string> matchers;
   MatcherOptions matcherOptions;
   unsigned seed = 1;  //!< of the directions

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <apps/psmks-benchmark/CommonFlags.h>
 #include <apps/psmks-benchmark/Convergence.h>
 #include <apps/psmks-benchmark/PairsInput.h>
 #include <apps/psmks-benchmark/Pictures.h>
@@ -31,7 +32,6 @@ class ConvergenceCommand
     std::vector<ConvergenceMap> maps;  //!< one a matcher
   };
 
-  PairsInput input(const std::string& argument);
   void measure(const PairsInput& input);
   void write();
   void savePictures();
@@ -39,10 +39,10 @@ class ConvergenceCommand
 
   std::vector<std::string> sets_;
   int pairs_ = 50;
-  int steps_ = 7;
-  double maxDistance_m_ = 1.5;
-  double maxRotation_deg_ = 60;
-  std::vector<std::string> assignments_;
+  int steps_ = ConvergenceGrid::kSteps;
+  double maxDistance_m_ = ConvergenceGrid::kMaxDistance_m;
+  double maxRotation_deg_ = ConvergenceGrid::kMaxRotation_deg;
+  OptionFlags optionFlags_;
   std::string folder_, htmlPath_;
   ConvergenceOptions options_;
   TableOutput output_;

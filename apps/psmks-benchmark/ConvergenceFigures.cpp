@@ -53,4 +53,13 @@ HeatMap convergencePicture(const std::string& title, const ConvergenceGrid& grid
   picture.valueMax = kPercent;
   return picture;
 }
+
+std::vector<Panel> convergencePictures(const ConvergenceGrid& grid,
+                                       const std::vector<ConvergenceMap>& maps)
+{
+  std::vector<Panel> pictures;
+  for (const ConvergenceMap& map : maps)
+    pictures.emplace_back(convergencePicture(map.matcher, grid, map));
+  return pictures;
+}
 }  // namespace psmks

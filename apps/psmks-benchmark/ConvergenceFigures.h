@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apps/psmks-benchmark/Convergence.h>
+#include <psmks/eval/Figure.h>
 #include <psmks/eval/HeatMap.h>
 #include <psmks/eval/Table.h>
 
@@ -17,4 +18,8 @@ Table convergenceTable(const std::string& title, const ConvergenceGrid& grid,
 /** Success in percent over distance and rotation; the title says the mean of all cells, too. */
 HeatMap convergencePicture(const std::string& title, const ConvergenceGrid& grid,
                            const ConvergenceMap& map);
+
+/** A picture for each matcher, named by it. */
+std::vector<Panel> convergencePictures(const ConvergenceGrid& grid,
+                                       const std::vector<ConvergenceMap>& maps);
 }  // namespace psmks

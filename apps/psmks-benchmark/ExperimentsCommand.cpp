@@ -5,7 +5,6 @@
 #include <apps/psmks-benchmark/experiments/OrientationFigure.h>
 #include <apps/psmks-benchmark/experiments/Report.h>
 #include <apps/psmks-benchmark/experiments/ResultTables.h>
-#include <apps/support/Assignment.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 
@@ -68,8 +67,7 @@ ExperimentsCommand::ExperimentsCommand(CLI::App& app) : methodKeys_(knownMethods
   app.add_option("--minutes", minutes_, "of a drive at most")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--set", assignments_, "one option of psmks, or of the trust in odometry")
-      ->type_name("SECTION.KEY=VALUE");
+  optionFlags_.addTo(app);
   app.add_option("--output", folder_,
                  "where experiments.md and its pictures go; default: " + kDefaultFolder +
                      ", with --quick nowhere")
@@ -114,9 +112,9 @@ void ExperimentsCommand::shorten()
 
 void ExperimentsCommand::setOptions()
 {
-  OptionTable table = optionTable(matcherOptions_);
-  listFields(table, odometryOptions_);
-  assignOptions(table, assignments_);
+  const SlamOptions options = optionFlags_.options();
+  matcherOptions_ = options.matching.matcher;
+  odometryOptions_ = options.odometry;
 }
 
 std::vector<DrivePlan> ExperimentsCommand::plans() const

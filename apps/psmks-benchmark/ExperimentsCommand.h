@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <apps/psmks-benchmark/CommonFlags.h>
 #include <apps/psmks-benchmark/Pictures.h>
 #include <apps/psmks-benchmark/TableOutput.h>
 #include <apps/psmks-benchmark/experiments/Results.h>
@@ -38,7 +39,7 @@ class ExperimentsCommand
   std::vector<std::string> worlds_;
   std::vector<double> ranges_m_{30, 8};
   std::vector<std::string> methodKeys_;
-  std::vector<std::string> assignments_;
+  OptionFlags optionFlags_;
   std::string folder_;
   TableOutput output_;
 

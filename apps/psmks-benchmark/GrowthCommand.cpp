@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-benchmark/CommonFlags.h>
 #include <apps/psmks-benchmark/GrowthCommand.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 #include <psmks/eval/Chart.h>
-#include <psmks/mrpt/PairMatcher.h>
 
 #include <limits>
 
@@ -35,9 +35,7 @@ Chart growthChart(const std::vector<GrowthRun>& runs)
 
 GrowthCommand::GrowthCommand(CLI::App& app)
 {
-  app.add_option("--matchers", options_.matchers, "see psmks-benchmark matchers")
-      ->delimiter(',')
-      ->capture_default_str();
+  addMatchersFlag(app, options_.matchers);
   app.add_option("--rays", options_.rays, "of a scan, over 180 degrees")
       ->delimiter(',')
       ->check(CLI::Range(kLeastRays, std::numeric_limits<int>::max()))
@@ -45,10 +43,7 @@ GrowthCommand::GrowthCommand(CLI::App& app)
   app.add_option("--pairs", options_.pairs, "of each number of rays, at the same places")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--repeats", options_.repeats,
-                 "interleaved; the time of a pair is the smallest of its repeats")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  addRepeatsFlag(app, options_.repeats);
   app.add_option("--seed", options_.seed, "of the worlds, the places and the noise")
       ->capture_default_str();
   app.add_option("--plot", plotPath_, "draw a chart, PNG or SVG")->type_name("FILE");
@@ -57,7 +52,7 @@ GrowthCommand::GrowthCommand(CLI::App& app)
 
 int GrowthCommand::run()
 {
-  for (const auto& name : options_.matchers) makePairMatcher(name, options_.matcherOptions);
+  checkMatchers(options_.matchers, options_.matcherOptions);
   output_.open();
   std::vector<GrowthRun> runs;
   {

@@ -37,17 +37,17 @@ Rung makeRung(int rays, const GrowthOptions& options)
 void climb(Rung& rung, const PairsBenchmarkOptions& options,
            const std::function<void(double)>& progress)
 {
-  const std::vector<PairsRun> runs = runPairs(rung.pairs, options, progress);
+  const std::vector<PairsRun> runs =
+      runPairs(rung.pairs, {zeroGuesses(rung.pairs)}, options, progress);
   for (std::size_t m = 0; m < runs.size(); ++m)
     for (std::size_t p = 0; p < rung.pairs.size(); ++p)
       rung.time_s[m][p] = std::min(rung.time_s[m][p], runs[m].records[p].time_s);
 }
 
-PairsBenchmarkOptions onceFromZero(const GrowthOptions& options)
+PairsBenchmarkOptions onceEach(const GrowthOptions& options)
 {
   PairsBenchmarkOptions once;
   once.matchers = options.matchers;
-  once.guesses = {GuessKind::Zero};
   once.matcherOptions = options.matcherOptions;
   return once;
 }
@@ -69,7 +69,7 @@ std::vector<GrowthRun> runGrowth(const GrowthOptions& options,
   std::vector<Rung> rungs;
   for (const int rays : options.rays) rungs.push_back(makeRung(rays, options));
 
-  const PairsBenchmarkOptions once = onceFromZero(options);
+  const PairsBenchmarkOptions once = onceEach(options);
   const double total = static_cast<double>(rungs.size()) * options.repeats;
   double done = 0;
   for (int repeat = 0; repeat < options.repeats; ++repeat)

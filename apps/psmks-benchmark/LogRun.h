@@ -1,9 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <apps/support/LogScan.h>
+#include <apps/psmks-benchmark/LogInput.h>
 #include <apps/support/SlamOptions.h>
 #include <apps/support/Summary.h>
+#include <psmks/eval/ErrorStatistics.h>
 #include <psmks/eval/Table.h>
 
 #include <limits>
@@ -13,13 +14,8 @@
 
 namespace psmks
 {
-/** A log that every matcher is run on. */
-struct Log
-{
-  std::string title;
-  std::vector<LogScan> scans;
-  std::optional<Trajectory> groundTruth;
-};
+/** Relations over less time tell of single matches, others of drift. */
+constexpr double kShortSpan_s = 5;
 
 /** What a matcher made of a log with one choice of reference scans. */
 struct LogRun
@@ -27,7 +23,12 @@ struct LogRun
   std::string matcher;
   std::string reference;  //!< "sequential", "keyframe" or "map"
   Summary summary;
+  PairErrorStatistics relations;       //!< errors over all relations of the log
+  PairErrorStatistics shortRelations;  //!< over those that span less than kShortSpan_s
+  std::optional<int> jumps;  //!< see countJumps(); over the steps of a ground truth, or over short
+                             //!< relations; none where neither is known
   double time_s = std::numeric_limits<double>::infinity();  //!< of the run, but for reading the log
+  double segmentation_s = 0;                                //!< of that, in segmenting scans
 };
 
 /** Builds the trajectory of a log. Every matcher starts a match where its own trajectory and the

@@ -1,26 +1,12 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/LogsCommand.h>
 #include <apps/support/ExitCode.h>
-#include <apps/support/GroundTruth.h>
 #include <apps/support/Progress.h>
-#include <psmks/mrpt/PairMatcher.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <iostream>
 
 namespace psmks
 {
 namespace
 {
-constexpr const char* kNoMatcher = "guess";
-
-bool isUsable(const Log& log)
-{
-  return std::any_of(log.scans.begin(), log.scans.end(),
-                     [](const LogScan& scan) { return hasReturns(scan.scan); });
-}
-
 bool everyMatchFailed(const std::vector<LogRun>& runs)
 {
   std::size_t matches = 0, failures = 0;
@@ -34,41 +20,31 @@ bool everyMatchFailed(const std::vector<LogRun>& runs)
 }
 }  // namespace
 
-LogsCommand::LogsCommand(CLI::App& app) : matchers_(pairMatcherNames())
+LogsCommand::LogsCommand(CLI::App& app)
 {
-  app.add_option("LOG", paths_, "MRPT rawlogs, compressed or not")->required();
-  app.add_option("--matchers", matchers_, "see psmks-benchmark matchers; 'guess' is the odometry")
-      ->delimiter(',')
-      ->capture_default_str();
+  input_.addLogFlags(app);
+  input_.addGroundTruthFlag(app);
+  input_.addRelationsFlag(app);
+  addMatchersFlag(app, matchers_);
   app.add_option("--references", references_, "the scan to match against")
       ->delimiter(',')
       ->check(CLI::IsMember(references_))
       ->capture_default_str();
-  app.add_option("--ground-truth", groundTruth_,
-                 "true trajectory of the one LOG; default: X.gt.tum, X.GT.txt or X.rawlog.GT.txt "
-                 "beside X.rawlog, where there is one")
-      ->type_name("FILE");
-  app.add_option("--max-scans", maxScans_, "of each log; 0 = all")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_option("--repeats", repeats_, "interleaved; times are those of the fastest")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--config", configPath_, "options, as psmks-slam reads them")->type_name("INI");
-  app.add_option("--set", assignments_, "one option, over --config")
-      ->type_name("SECTION.KEY=VALUE");
+  addRepeatsFlag(app, repeats_);
+  optionFlags_.addTo(app);
   output_.addFlags(app);
 }
 
 int LogsCommand::run()
 {
-  setOptions();
+  input_.check();
+  options_ = optionFlags_.options();
+  checkMatchers(matchers_, options_.matching.matcher);
   output_.open();
-  const std::vector<Log> logs = readLogs();
 
   std::vector<Table> tables;
   std::vector<LogRun> all;
-  for (const auto& log : logs)
+  for (const auto& log : input_.read(options_.matching))
   {
     const std::vector<LogRun> some = runs(log);
     tables.push_back(logTable(log.title, some));
@@ -76,7 +52,7 @@ int LogsCommand::run()
   }
   if (!tables.empty()) output_.write(tables);
 
-  if (damaged_) return kInputDamaged;
+  if (input_.isDamaged()) return kInputDamaged;
   if (tables.empty()) return kNothingToDo;
   return everyMatchFailed(all) ? kEveryMatchFailed : kOk;
 }
@@ -107,51 +83,5 @@ std::vector<LogsCommand::Method> LogsCommand::chosenMethods() const
       if (matcher != kNoMatcher || reference == references_.front())
         methods.emplace_back(matcher, reference);
   return methods;
-}
-
-void LogsCommand::setOptions()
-{
-  if (!groundTruth_.empty() && paths_.size() > 1)
-    throw CLI::ValidationError("--ground-truth", "belongs to one LOG, but there are several");
-  if (!configPath_.empty()) options_.load(configPath_);
-  for (const auto& assignment : assignments_) options_.set(assignment);
-  for (const auto& matcher : matchers_) makePairMatcher(matcher, options_.matching.matcher);
-  for (const auto& path : paths_) refuseCarmen(path);
-}
-
-std::vector<Log> LogsCommand::readLogs()
-{
-  std::vector<Log> logs;
-  for (const auto& path : paths_)
-  {
-    Log log = readLog(path);
-    if (isUsable(log)) logs.push_back(std::move(log));
-  }
-  return logs;
-}
-
-Log LogsCommand::readLog(const std::string& path)
-{
-  Log log;
-  log.title = std::filesystem::path(path).stem().string();
-  RawlogReader reader(path);
-  ScanConverter converter;
-  const auto wanted = static_cast<std::size_t>(maxScans_);
-  for (LaserFrame frame; (wanted == 0 || log.scans.size() < wanted) && reader.next(frame);)
-    log.scans.push_back(toLogScan(frame, converter, options_.matching));
-  if (!reader.damage().empty())
-  {
-    damaged_ = true;
-    std::cerr << "psmks-benchmark: '" << path << "': " << reader.damage() << '\n';
-  }
-  else if (!isUsable(log))
-    std::cerr << "psmks-benchmark: '" << path << "' holds no usable 2D laser scan\n";
-  if (const auto truth = groundTruthOf(path)) log.groundTruth = readGroundTruth(*truth);
-  return log;
-}
-
-std::optional<std::string> LogsCommand::groundTruthOf(const std::string& log) const
-{
-  return groundTruth_.empty() ? groundTruthBeside(log) : std::make_optional(groundTruth_);
 }
 }  // namespace psmks

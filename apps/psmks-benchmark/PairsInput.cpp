@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <iomanip>
+#include <iostream>
 #include <sstream>
 
 namespace psmks
@@ -16,6 +17,30 @@ void describe(PairsInput& input, const PairFamily& family)
 {
   input.rangeSigma_m = family.rangeSigma_m();
   input.hasMovingObjects = family.people > 0;
+}
+
+PairsInput generatedPairs(const PairFamily& family, unsigned seed, int count)
+{
+  PairsInput input;
+  input.title = family.name;
+  input.header = {family.laser.grid, family.laser.maxRange_m, count};
+  describe(input, family);
+  input.pairs = scanPairs(makePairSet(family, seed, count));
+  return input;
+}
+
+/** @param[out] input all that was read before an error
+ *  @throws PairsFileError */
+void readPairs(const std::string& path, int maxPairs, PairsInput& input)
+{
+  const std::string name = std::filesystem::path(path).filename().string();
+  input.title = name.substr(0, name.find(kExtension));
+  if (const PairFamily* family = findPairFamily(input.title)) describe(input, *family);
+  PairsReader reader(path);
+  input.header = reader.header();
+  const auto wanted = static_cast<std::size_t>(maxPairs);
+  for (ScanPair pair; (maxPairs == 0 || input.pairs.size() < wanted) && reader.read(pair);)
+    input.pairs.push_back(pair);
 }
 }  // namespace
 
@@ -38,26 +63,23 @@ std::string listOfSets()
   return text.str();
 }
 
-PairsInput generatedPairs(const PairFamily& family, unsigned seed, int count)
+PairsInput inputPairs(const std::string& argument, const PairsChoice& choice)
 {
   PairsInput input;
-  input.title = family.name;
-  input.header = {family.laser.grid, family.laser.maxRange_m, count};
-  describe(input, family);
-  input.pairs = scanPairs(makePairSet(family, seed, count));
+  try
+  {
+    if (isGenerated(argument))
+      input = generatedPairs(pairFamily(argument), choice.seed, choice.generated);
+    else
+      readPairs(argument, choice.read, input);
+    if (input.pairs.empty()) std::cerr << "psmks-benchmark: " << argument << ": holds no pair\n";
+  }
+  catch (const PairsFileError& error)
+  {
+    input.isDamaged = true;
+    std::cerr << "psmks-benchmark: " << error.what() << '\n';
+  }
   return input;
-}
-
-void readPairs(const std::string& path, int maxPairs, PairsInput& input)
-{
-  const std::string name = std::filesystem::path(path).filename().string();
-  input.title = name.substr(0, name.find(kExtension));
-  if (const PairFamily* family = findPairFamily(input.title)) describe(input, *family);
-  PairsReader reader(path);
-  input.header = reader.header();
-  const auto wanted = static_cast<std::size_t>(maxPairs);
-  for (ScanPair pair; (maxPairs == 0 || input.pairs.size() < wanted) && reader.read(pair);)
-    input.pairs.push_back(pair);
 }
 
 void savePairs(const std::string& folder, const PairsInput& input)

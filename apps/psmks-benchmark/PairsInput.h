@@ -18,6 +18,15 @@ struct PairsInput
   std::vector<ScanPair> pairs;
   double rangeSigma_m = 0.01;
   bool hasMovingObjects = false;
+  bool isDamaged = false;  //!< a file that was missing or broken; the pairs before are there
+};
+
+/** How many pairs of a set, and which. */
+struct PairsChoice
+{
+  unsigned seed = 1;    //!< of generated sets
+  int generated = 200;  //!< pairs in each
+  int read = 0;         //!< of each file at most; 0 = all
 };
 
 /** True where an argument of the command line means a set to be generated: it is the name of one,
@@ -30,14 +39,10 @@ bool looksLikeASet(const std::string& argument);
 /** One line a set: its name and what it holds. */
 std::string listOfSets();
 
-PairsInput generatedPairs(const PairFamily& family, unsigned seed, int count);
-
-/** Reads a file, which may say by its name that it holds a set saved by savePairs(): noise and
- * moving objects are then those of the set.
- *  @param maxPairs 0 = all
- *  @param[out] input all that was read before an error
- *  @throws PairsFileError */
-void readPairs(const std::string& path, int maxPairs, PairsInput& input);
+/** The pairs that an argument of the command line means. A file may say by its name that it holds a
+ * set saved by savePairs(): noise and moving objects are then those of the set. What is wrong with
+ * a file, or that there is no pair, is said on stderr. */
+PairsInput inputPairs(const std::string& argument, const PairsChoice& choice);
 
 /** Writes FOLDER/TITLE.pairs.gz.
  *  @throws PairsFileError where it exists already or cannot be written */

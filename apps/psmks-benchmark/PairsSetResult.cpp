@@ -20,6 +20,12 @@ void appendRecords(std::vector<PairsRun>& runs, const PairsRun& more)
 }
 }  // namespace
 
+Table tableOf(const PairsSetResult& set, const std::string& baseline)
+{
+  const auto bound = set.bounds.empty() ? std::nullopt : std::make_optional(summarize(set.bounds));
+  return pairsTable(set.title, set.runs, bound, baseline, set.successLimit);
+}
+
 PairsSetResult pooledStaticSets(const std::vector<PairsSetResult>& sets)
 {
   PairsSetResult pool;

@@ -5,6 +5,8 @@
 #include <apps/psmks-benchmark/LogsCommand.h>
 #include <apps/psmks-benchmark/PairsCommand.h>
 #include <apps/psmks-benchmark/SegmentationCommand.h>
+#include <apps/psmks-benchmark/SelfmatchCommand.h>
+#include <apps/psmks-benchmark/StepsCommand.h>
 #include <apps/support/ExitCode.h>
 #include <psmks/mrpt/PairMatcherRegistration.h>
 
@@ -32,6 +34,10 @@ int main(int argc, char** argv)
   CLI::App* convergenceApp =
       app.add_subcommand("convergence", "how far from the truth a match may start");
   CLI::App* logsApp = app.add_subcommand("logs", "matchers on logs of a robot");
+  CLI::App* stepsApp =
+      app.add_subcommand("steps", "matchers on scans of a log that follow each other");
+  CLI::App* selfmatchApp =
+      app.add_subcommand("selfmatch", "matchers on each scan of a log and its displaced self");
   CLI::App* growthApp =
       app.add_subcommand("growth", "how the time of a match grows with the rays of the scans");
   CLI::App* segmentationApp =
@@ -42,6 +48,8 @@ int main(int argc, char** argv)
   psmks::PairsCommand pairs(*pairsApp);
   psmks::ConvergenceCommand convergence(*convergenceApp);
   psmks::LogsCommand logs(*logsApp);
+  psmks::StepsCommand steps(*stepsApp);
+  psmks::SelfmatchCommand selfmatch(*selfmatchApp);
   psmks::GrowthCommand growth(*growthApp);
   psmks::SegmentationCommand segmentation(*segmentationApp);
   psmks::ExperimentsCommand experiments(*experimentsApp);
@@ -52,6 +60,8 @@ int main(int argc, char** argv)
     if (pairsApp->parsed()) return pairs.run();
     if (convergenceApp->parsed()) return convergence.run();
     if (logsApp->parsed()) return logs.run();
+    if (stepsApp->parsed()) return steps.run();
+    if (selfmatchApp->parsed()) return selfmatch.run();
     if (growthApp->parsed()) return growth.run();
     if (matchersApp->parsed()) return listMatchers();
     if (segmentationApp->parsed()) return segmentation.run();

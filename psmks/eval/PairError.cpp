@@ -13,17 +13,16 @@ PairError pairError(const Pose2& T_ref_cur, const Pose2& T_ref_cur_true)
           std::abs(wrapAngle(T_ref_cur.phi_rad - T_ref_cur_true.phi_rad))};
 }
 
-bool isSuccess(const PairError& error)
+bool isSuccess(const PairError& error, const PairError& limit)
 {
-  return error.translation_m < kSuccessLimit.translation_m &&
-         error.rotation_rad < kSuccessLimit.rotation_rad;
+  return error.translation_m < limit.translation_m && error.rotation_rad < limit.rotation_rad;
 }
 
-bool isAcceptedAndWrong(MatchStatus status, const PairError& error)
+bool isAcceptedAndWrong(MatchStatus status, const PairError& error, const PairError& limit)
 {
   const bool accepted = status == MatchStatus::Converged || status == MatchStatus::MaxIterations;
-  return accepted && (error.translation_m > kWrongLimit.translation_m ||
-                      error.rotation_rad > kWrongLimit.rotation_rad);
+  return accepted && (error.translation_m > kWrongFactor * limit.translation_m ||
+                      error.rotation_rad > kWrongFactor * limit.rotation_rad);
 }
 
 double nees(const Pose2& T_ref_cur, const Eigen::Matrix3d& covariance, const Pose2& T_ref_cur_true)

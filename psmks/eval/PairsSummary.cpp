@@ -49,14 +49,14 @@ double medianTimeOf_s(const std::vector<PairsRun>& runs, const std::string& matc
 }
 
 std::vector<Table::Cell> tableRow(const PairsRun& run, const PairsSummary& s,
-                                  const BoundSummary& bound, double timeUnit_s)
+                                  const std::optional<BoundSummary>& bound, double timeUnit_s)
 {
   return {run.matcher,
           run.guess,
           kPercent * s.successShare,
           kMillimetresPerMetre * s.translationMedian_m,
           kMillimetresPerMetre * s.translationP95_m,
-          s.translationMedian_m / bound.translationMedian_m,
+          bound ? s.translationMedian_m / bound->translationMedian_m : kNoValue,
           radToDeg(s.rotationMedian_rad),
           radToDeg(s.rotationP95_rad),
           static_cast<double>(s.acceptedAndWrong),
@@ -93,12 +93,13 @@ bool PairRecord::statesAccuracy() const
   return result.usable() && result.covariance != MatchResult::unknownCovariance();
 }
 
-PairsSummary summarize(const std::vector<PairRecord>& records)
+PairsSummary summarize(const std::vector<PairRecord>& records, const PairError& limit)
 {
   using R = const PairRecord&;
   const auto translations = collect(records, [](R r) { return r.error().translation_m; });
   const auto rotations = collect(records, [](R r) { return r.error().rotation_rad; });
-  const auto successes = collect(records, [](R r) { return isSuccess(r.error()) ? 1.0 : 0.0; });
+  const auto successes =
+      collect(records, [&limit](R r) { return isSuccess(r.error(), limit) ? 1.0 : 0.0; });
   const auto times = collect(records, [](R r) { return r.time_s; });
   const auto neesOfUsable = neesValues(records);
 
@@ -109,8 +110,8 @@ PairsSummary summarize(const std::vector<PairRecord>& records)
   s.translationP95_m = quantile(translations, 0.95);
   s.rotationMedian_rad = median(rotations);
   s.rotationP95_rad = quantile(rotations, 0.95);
-  s.acceptedAndWrong =
-      count(records, [](R r) { return isAcceptedAndWrong(r.result.status, r.error()); });
+  s.acceptedAndWrong = count(
+      records, [&limit](R r) { return isAcceptedAndWrong(r.result.status, r.error(), limit); });
   s.failed = count(records, [](R r) { return !r.result.usable(); });
   s.degenerate = count(records, [](R r) { return r.result.status == MatchStatus::Degenerate; });
   s.neesMean = mean(neesOfUsable);
@@ -122,7 +123,8 @@ PairsSummary summarize(const std::vector<PairRecord>& records)
 }
 
 Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
-                 const BoundSummary& bound, const std::string& baseline)
+                 const std::optional<BoundSummary>& bound, const std::string& baseline,
+                 const PairError& limit)
 {
   Table table;
   table.title = title;
@@ -147,10 +149,10 @@ Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
     const PairsRun& run = runs[r];
-    if (r == 0 || runs[r - 1].guess != run.guess)
-      table.rows.push_back(boundRow(run.guess, bound, table.columns.size()));
-    table.rows.push_back(
-        tableRow(run, summarize(run.records), bound, medianTimeOf_s(runs, baseline, run.guess)));
+    if (bound && (r == 0 || runs[r - 1].guess != run.guess))
+      table.rows.push_back(boundRow(run.guess, *bound, table.columns.size()));
+    table.rows.push_back(tableRow(run, summarize(run.records, limit), bound,
+                                  medianTimeOf_s(runs, baseline, run.guess)));
   }
   return table;
 }

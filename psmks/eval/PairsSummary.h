@@ -7,6 +7,7 @@
 #include <psmks/eval/PairError.h>
 #include <psmks/eval/Table.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,14 +53,18 @@ struct PairsSummary
   double sequentialTimeMedian_s = 0;
 };
 
-PairsSummary summarize(const std::vector<PairRecord>& records);
+/** @param limit of a success */
+PairsSummary summarize(const std::vector<PairRecord>& records,
+                       const PairError& limit = kSuccessLimit);
 
-/** One row a run, and before the first run of every guess one for the bound.
+/** One row a run, and before the first run of every guess one for the bound, where there is one.
  *  @param bound of the errors of the same pairs
  *  @param baseline name of the matcher whose median time with the same guess is the unit of the
- *  column of time ratios; where it is not among the runs the ratios are NaN */
+ *  column of time ratios; where it is not among the runs the ratios are NaN
+ *  @param limit of a success */
 Table pairsTable(const std::string& title, const std::vector<PairsRun>& runs,
-                 const BoundSummary& bound, const std::string& baseline);
+                 const std::optional<BoundSummary>& bound, const std::string& baseline,
+                 const PairError& limit = kSuccessLimit);
 
 /** Every record of every run as CSV: header once, then one row a pair and matcher. */
 std::string dumpHeader();

@@ -25,6 +25,26 @@ std::string shownText(const Table::Cell& cell, int decimals)
   return out.str();
 }
 
+bool hasValue(const Table::Cell& cell)
+{
+  return std::holds_alternative<std::string>(cell) || !std::isnan(std::get<double>(cell));
+}
+
+/** Without the columns that hold no value in any row. */
+Table forPeople(Table table)
+{
+  for (std::size_t c = table.columns.size(); c-- > 0;)
+  {
+    const auto hasValueHere = [c](const auto& row) { return hasValue(row[c]); };
+    if (table.rows.empty() || std::any_of(table.rows.begin(), table.rows.end(), hasValueHere))
+      continue;
+    const auto place = static_cast<std::ptrdiff_t>(c);
+    table.columns.erase(table.columns.begin() + place);
+    for (auto& row : table.rows) row.erase(row.begin() + place);
+  }
+  return table;
+}
+
 /** Headings and rows as they are shown. */
 std::vector<std::vector<std::string>> shownLines(const Table& table)
 {
@@ -64,8 +84,9 @@ std::string csvRow(const std::vector<Table::Cell>& row)
 }
 }  // namespace
 
-std::string toText(const Table& table)
+std::string toText(const Table& whole)
 {
+  const Table table = forPeople(whole);
   const auto lines = shownLines(table);
   const auto width = widths(lines);
   std::ostringstream out;
@@ -80,8 +101,9 @@ std::string toText(const Table& table)
   return out.str();
 }
 
-std::string toMarkdown(const Table& table)
+std::string toMarkdown(const Table& whole)
 {
+  const Table table = forPeople(whole);
   const auto lines = shownLines(table);
   std::ostringstream out;
   for (std::size_t l = 0; l < lines.size(); ++l)
@@ -96,8 +118,9 @@ std::string toMarkdown(const Table& table)
   return out.str();
 }
 
-std::string toHtml(const Table& table)
+std::string toHtml(const Table& whole)
 {
+  const Table table = forPeople(whole);
   const auto lines = shownLines(table);
   std::string html = "<table>\n<caption>" + htmlText(table.title) + "</caption>\n";
   for (std::size_t l = 0; l < lines.size(); ++l)

@@ -17,7 +17,8 @@ struct Table
     int decimals = 0;     //!< of its numbers, for people
   };
 
-  /** A NaN stands for a value that does not exist; it is shown as a dash and left empty in CSV. */
+  /** A NaN stands for a value that does not exist; it is shown as a dash and left empty in CSV.
+   * Columns without any value are for programs only. */
   using Cell = std::variant<std::string, double>;
 
   std::string title;

@@ -1,59 +1,36 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <gtest/gtest.h>
-#include <psmks/eval/Trajectory.h>
-#include <tests/support/Program.h>
-#include <tests/unit/mrpt/RoomLog.h>
+#include <tests/apps/BenchmarkOnLogs.h>
+#include <tests/support/Says.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 namespace psmks
 {
 namespace
 {
 using namespace test;
-using nlohmann::json;
 
-constexpr int kScans = 8;
-
-class PsmksBenchmarkLogs : public testing::Test
+class PsmksBenchmarkLogs : public BenchmarkOnLogs
 {
  protected:
-  void SetUp() override
-  {
-    std::filesystem::create_directories(folder_);
-    writeGzipped(asFrames(log_), log("room"));
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-  std::string log(const std::string& name) const { return path(name + ".rawlog"); }
-
   ProgramRun run(const std::string& arguments) const
   {
-    return runProgram("'" PSMKS_PROGRAM "' logs " + arguments + " --json " + path("t.json"));
+    return BenchmarkOnLogs::run("logs " + arguments);
   }
 
-  json rows(std::size_t table = 0) const
+  /** True motions between scans, by their places in the log. */
+  void writeRelations(const std::vector<std::pair<std::size_t, std::size_t>>& places) const
   {
-    return json::parse(fileText(path("t.json"))).at("tables").at(table).at("rows");
+    std::ofstream out(path("room.relations"));
+    out << std::fixed << std::setprecision(9);
+    for (const auto& [from, to] : places)
+    {
+      const auto &a = log_.steps.at(from), &b = log_.steps.at(to);
+      const Pose2 T_from_to = a.T_world_robot.inverse() * b.T_world_robot;
+      out << a.stamp_s << ' ' << b.stamp_s << ' ' << T_from_to.x_m << ' ' << T_from_to.y_m
+          << " 0 0 0 " << T_from_to.phi_rad << '\n';
+    }
   }
-
-  /** @param sideways_m by which the last pose is wrong */
-  void writeTruth(const std::string& name, double sideways_m = 0) const
-  {
-    Trajectory truth;
-    for (const auto& step : log_.steps) truth.push_back({step.stamp_s, step.T_world_robot});
-    truth.back().pose.y_m += sideways_m;
-    std::ofstream out(path(name));
-    writeTum(out, truth);
-  }
-
-  const RoomLog log_{kScans};
-  const std::string folder_ = testing::TempDir() + "psmks-benchmark-logs_" +
-                              testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 }  // namespace
 
@@ -137,26 +114,84 @@ TEST_F(PsmksBenchmarkLogs, aLogWithoutScansIsNothingToDo)
   EXPECT_NE(done.errors.find("holds no usable 2D laser scan"), std::string::npos) << done.errors;
 }
 
+TEST_F(PsmksBenchmarkLogs, theFirstScansCanBeLeftOut)
+{
+  ASSERT_EQ(run(log("room") + " --matchers guess --skip-scans 2 --max-scans 3").exitCode, 0);
+  EXPECT_EQ(rows()[0].at("scans"), 3);
+  EXPECT_NEAR(rows()[0].at("path_m"), 0.21, 1e-6) << "the odometry before the first scan is none";
+}
+
+TEST_F(PsmksBenchmarkLogs, theRelationsBesideTheLogAreFound)
+{
+  writeRelations({{0, 1}, {2, 3}});
+  ASSERT_EQ(run(log("room") + " --matchers psmks,guess --references map").exitCode, 0);
+  EXPECT_LT(rows()[0].at("relations_mean_m"), 0.002);
+  EXPECT_LT(rows()[0].at("relations_mean_deg"), 0.1);
+  // a step of the odometry goes 5 mm too far and turns 1 degree too little
+  EXPECT_NEAR(rows()[1].at("relations_mean_m"), 0.005, 1e-6);
+  EXPECT_NEAR(rows()[1].at("relations_deviation_m"), 0, 1e-6);
+  EXPECT_NEAR(rows()[1].at("relations_mean_deg"), 1, 1e-4);
+  EXPECT_EQ(rows()[1].at("short_relations_mean_m"), rows()[1].at("relations_mean_m"));
+}
+
+TEST_F(PsmksBenchmarkLogs, relationsOverLongTimesAreNotAmongTheShortOnes)
+{
+  writeRelations({{0, 1}});
+  std::ofstream(path("room.relations"), std::ios::app)
+      << std::fixed << log_.steps[0].stamp_s << ' ' << log_.steps[7].stamp_s + 60
+      << " 0 0 0 0 0 0\n";
+  ASSERT_EQ(run(log("room") + " --matchers guess").exitCode, 0);
+  EXPECT_NEAR(rows()[0].at("short_relations_mean_m"), 0.005, 1e-6);
+  EXPECT_NEAR(rows()[0].at("relations_mean_m"), 0.005, 1e-6) << "there is no scan at that time";
+}
+
+TEST_F(PsmksBenchmarkLogs, jumpsAreCountedWhereATruthIsKnown)
+{
+  const std::string flags = log("room") + " --matchers psmks,guess --references sequential";
+  ASSERT_EQ(run(flags).exitCode, 0);
+  EXPECT_TRUE(rows()[0].at("jumps").is_null());
+  writeRelations({{0, 1}, {1, 2}});
+  ASSERT_EQ(run(flags).exitCode, 0);
+  for (const auto& row : rows()) EXPECT_EQ(row.at("jumps"), 0) << row;
+  std::filesystem::remove(path("room.relations"));
+  writeTruth("room.gt.tum");
+  ASSERT_EQ(run(flags).exitCode, 0);
+  for (const auto& row : rows()) EXPECT_EQ(row.at("jumps"), 0) << row;
+}
+
+TEST_F(PsmksBenchmarkLogs, aCarmenLogIsReadAsWell)
+{
+  std::ofstream(path("corner.log"))
+      << "FLASER 5 2 2.8 2 2.8 2 0 0 0 0 0 0 10.0 host 10.0\n"
+         "FLASER 5 1.9 2.7 1.9 2.7 1.9 0.1 0 0 0.1 0 0 11.0 host 11\n";
+  ASSERT_EQ(run(path("corner.log") + " --matchers guess").exitCode, 0);
+  EXPECT_EQ(table().at("table"), "corner");
+  EXPECT_EQ(rows()[0].at("scans"), 2);
+}
+
 TEST_F(PsmksBenchmarkLogs, whatCannotBeAcceptedIsAUsageError)
 {
-  const auto expectUsageError = [this](const std::string& arguments, const std::string& sentence)
-  {
-    const ProgramRun done = run(arguments);
-    EXPECT_EQ(done.exitCode, 1) << arguments;
-    EXPECT_NE(done.errors.find(sentence), std::string::npos) << done.errors;
-  };
-  const std::string room = log("room");
+  const std::string room = "logs " + log("room");
   expectUsageError(room + " --matchers nobody", "matcher 'nobody' is not known");
   expectUsageError(room + " --references moon", "moon");
   expectUsageError(room + " --set joint.nothing=1", "'nothing'");
-  expectUsageError(room + " " + room + " --ground-truth t.tum", "belongs to one LOG");
-  expectUsageError("robot.log", "is a CARMEN log by its name");
+  expectUsageError(room + " " + log("room") + " --ground-truth t.tum", "belongs to one LOG");
+  expectUsageError(room + " " + log("room") + " --relations r", "belongs to one LOG");
 }
 
 TEST_F(PsmksBenchmarkLogs, aGroundTruthThatCannotBeReadIsAnInputError)
 {
   const ProgramRun done = run(log("room") + " --matchers guess --ground-truth " + path("no.tum"));
   EXPECT_EQ(done.exitCode, 2);
-  EXPECT_NE(done.errors.find("ground truth"), std::string::npos) << done.errors;
+  EXPECT_TRUE(says(done.errors, {"ground truth", "no.tum"}));
+}
+
+TEST_F(PsmksBenchmarkLogs, relationsThatCannotBeReadAreAnInputError)
+{
+  std::ofstream(path("broken.relations")) << "1 2 3\n";
+  const ProgramRun done =
+      run(log("room") + " --matchers guess --relations " + path("broken.relations"));
+  EXPECT_EQ(done.exitCode, 2);
+  EXPECT_TRUE(says(done.errors, {"relations", "broken.relations"}));
 }
 }  // namespace psmks

@@ -147,10 +147,10 @@ TEST_F(PsmksBenchmark, WhatCannotBeAcceptedIsAUsageError)
     EXPECT_NE(run.errors.find(sentence), std::string::npos) << run.errors;
   };
   expectUsageError("--matchers nobody", "matcher 'nobody' is not known, allowed: psmks | ");
-  expectUsageError("--guess wild", "'wild' is not known, allowed: zero | odometry");
+  expectUsageError("--guess wild", "wild not in");
   expectUsageError("--set joint.nothing=1", "'nothing'");
   expectUsageError("--set nonsense", "'nonsense' is not SECTION.KEY=VALUE");
-  expectUsageError("--config absent.ini", "'absent.ini' is no file");
+  expectUsageError("--config absent.ini", "'absent.ini': no such file");
   expectUsageError("--csv /absent/t.csv", "'/absent/t.csv' cannot be created");
 }
 

@@ -53,6 +53,7 @@ void addRuns(Chart& chart, const PairsSetResult& set, const std::string& guess, 
 template <class Value>
 void addBound(Chart& chart, const std::vector<PairError>& errors, Value value)
 {
+  if (errors.empty()) return;
   std::vector<double> values;
   for (const PairError& error : errors) values.push_back(value(error));
   ChartSeries series = distribution("bound", values);

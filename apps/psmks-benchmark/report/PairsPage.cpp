@@ -13,8 +13,8 @@ namespace
 constexpr std::size_t kWorstPairs = 10;
 
 const char* const kLegend =
-    "<p>The worst pairs of each matcher, by the larger of both errors, a success having at most "
-    "50 mm and 1 deg: the <span class=\"reference\">reference</span> scan, the current scan where "
+    "<p>The worst pairs of each matcher, by the larger of both errors as shares of what a success "
+    "may have: the <span class=\"reference\">reference</span> scan, the current scan where "
     "it <span class=\"truth\">truly</span> was and where the match "
     "<span class=\"estimate\">put</span> it; the sensor at the <span class=\"guess\">guess</span>."
     "</p>\n";
@@ -38,13 +38,20 @@ void addDistributions(HtmlPage& page, const PairsSetResult& set)
   }
 }
 
+void addConvergence(HtmlPage& page, const PairsSetResult& set)
+{
+  if (set.convergence.empty()) return;
+  page.addHeading(set.title + ", areas of convergence");
+  page.addCharts(set.convergence);
+}
+
 void addWorstPairs(HtmlPage& page, const PairsSetResult& set, PairDrawings drawings)
 {
   page.addHtml(kLegend);
   for (const PairsRun& run : set.runs)
   {
     std::string drawn;
-    for (const std::size_t place : worstRecords(run.records, kWorstPairs))
+    for (const std::size_t place : worstRecords(run.records, kWorstPairs, set.successLimit))
       drawn += drawings.draw(place, run.records[place]);
     page.addDetails(set.title + ", " + run.matcher + ", guess: " + run.guess,
                     "<div class=\"drawings\">\n" + drawn + "</div>\n");
@@ -61,6 +68,7 @@ std::string pairsPage(const PageOrigin& origin, const std::vector<Table>& tables
   for (const PairsSetResult& set : sets)
   {
     addDistributions(page, set);
+    addConvergence(page, set);
     const std::string name = "set" + std::to_string(&set - sets.data());
     addWorstPairs(page, set, PairDrawings(name, set.pairs));
   }

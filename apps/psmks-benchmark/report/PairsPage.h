@@ -11,7 +11,8 @@
 namespace psmks
 {
 /** The comparison of matchers on sets of pairs as one HTML page: the tables; for each set and guess
- * the distributions of errors and times, and on demand the worst pairs of each matcher, drawn. */
+ * the distributions of errors and times; the areas of convergence where they were measured, and on
+ * demand the worst pairs of each matcher, drawn. */
 std::string pairsPage(const PageOrigin& origin, const std::vector<Table>& tables,
                       const std::vector<PairsSetResult>& sets);
 }  // namespace psmks

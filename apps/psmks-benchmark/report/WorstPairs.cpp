@@ -8,20 +8,22 @@ namespace psmks
 {
 namespace
 {
-double badness(const PairError& error)
+double badness(const PairError& error, const PairError& limit)
 {
-  return std::max(error.translation_m / kSuccessLimit.translation_m,
-                  error.rotation_rad / kSuccessLimit.rotation_rad);
+  return std::max(error.translation_m / limit.translation_m,
+                  error.rotation_rad / limit.rotation_rad);
 }
 }  // namespace
 
-std::vector<std::size_t> worstRecords(const std::vector<PairRecord>& records, std::size_t count)
+std::vector<std::size_t> worstRecords(const std::vector<PairRecord>& records, std::size_t count,
+                                      const PairError& limit)
 {
   std::vector<std::size_t> places(records.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   std::stable_sort(places.begin(), places.end(),
-                   [&records](std::size_t a, std::size_t b)
-                   { return badness(records[a].error()) > badness(records[b].error()); });
+                   [&](std::size_t a, std::size_t b) {
+                     return badness(records[a].error(), limit) > badness(records[b].error(), limit);
+                   });
   places.resize(std::min(count, places.size()));
   return places;
 }

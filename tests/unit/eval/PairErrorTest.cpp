@@ -26,6 +26,15 @@ TEST(PairError, SuccessNeedsBothTranslationAndRotation)
   EXPECT_FALSE(isSuccess({0, degToRad(1.01)}));
 }
 
+TEST(PairError, AnotherLimitMovesSuccessAndWrongAlike)
+{
+  const PairError limit{0.15, degToRad(2)};
+  EXPECT_TRUE(isSuccess({0.14, degToRad(1.9)}, limit));
+  EXPECT_FALSE(isSuccess({0.16, 0}, limit));
+  EXPECT_FALSE(isAcceptedAndWrong(MatchStatus::Converged, {0.29, degToRad(3.9)}, limit));
+  EXPECT_TRUE(isAcceptedAndWrong(MatchStatus::Converged, {0.31, 0}, limit));
+}
+
 TEST(PairError, OnlyAConfidentStatusCanBeAcceptedAndWrong)
 {
   const PairError wrong{0.11, 0};

@@ -101,6 +101,24 @@ TEST(PairsSummary, ErrorsAreHeldAgainstTheBound)
   EXPECT_NEAR(value(1, "time_p95_to_median"), 4.8 / 3, 1e-9);
 }
 
+TEST(PairsSummary, WithoutABoundThereIsNoRowOfIt)
+{
+  const Table table = pairsTable("", {{"psmks", "zero", kFive}}, std::nullopt, "psmks");
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0].size(), table.columns.size());
+  EXPECT_EQ(std::get<std::string>(table.rows[0][0]), "psmks");
+}
+
+TEST(PairsSummary, SuccessesAreCountedWithinTheLimitAskedFor)
+{
+  const std::vector<PairRecord> records{record(MatchStatus::Converged, 0.04, 1e-3),
+                                        record(MatchStatus::Converged, 0.14, 1e-3)};
+  EXPECT_DOUBLE_EQ(summarize(records).successShare, 0.5);
+  EXPECT_EQ(summarize(records).acceptedAndWrong, 1);
+  EXPECT_DOUBLE_EQ(summarize(records, {0.15, degToRad(2)}).successShare, 1);
+  EXPECT_EQ(summarize(records, {0.15, degToRad(2)}).acceptedAndWrong, 0);
+}
+
 TEST(PairsDump, HasOneRowAPairInTheOrderOfItsHeader)
 {
   EXPECT_EQ(dumpHeader(),

@@ -32,6 +32,19 @@ TEST(Table, MarkdownAlignsNumbersToTheRight)
             "| long name | - |\n");
 }
 
+TEST(Table, PeopleDoNotSeeColumnsWithoutAnyValue)
+{
+  Table table = kTable;
+  table.columns.push_back({"wrong", "wrong", 0});
+  for (auto& row : table.rows) row.emplace_back(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(toText(table), toText(kTable));
+  EXPECT_EQ(toMarkdown(table), toMarkdown(kTable));
+  EXPECT_EQ(toHtml(table), toHtml(kTable));
+  EXPECT_EQ(toCsv({table}).substr(0, 30), "table,matcher,median_mm,wrong\n");
+  table.rows.clear();
+  EXPECT_EQ(toMarkdown(table).substr(0, 33), "| matcher | median mm | wrong |\n|");
+}
+
 TEST(Table, HtmlHasACaptionAndNoMarkupFromTexts)
 {
   Table table = kTable;

@@ -1,0 +1,33 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/Guess.h>
+#include <psmks/eval/PairsFile.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+constexpr const char* kZeroGuess = "zero";
+constexpr const char* kOdometryGuess = "odometry";
+
+/** Where the matches of a set of pairs start. */
+struct Guesses
+{
+  std::string name;
+  std::vector<Guess> ofPair;  //!< one per pair, in order
+};
+
+/** No motion, without covariance: a starting point and nothing more. */
+Guesses zeroGuesses(const std::vector<ScanPair>& pairs);
+
+/** The odometry of the pairs as a measurement, with these standard deviations. */
+Guesses odometryGuesses(const std::vector<ScanPair>& pairs, double sigma_m, double sigma_rad);
+
+/** A guess this far from the truth, in a random direction and turned this or that way round,
+ * without covariance. */
+Guess displacedGuess(const Pose2& truth, double distance_m, double rotation_rad,
+                     std::mt19937_64& random);
+}  // namespace psmks

@@ -1,0 +1,65 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <gtest/gtest.h>
+#include <psmks/eval/Trajectory.h>
+#include <tests/support/Program.h>
+#include <tests/unit/mrpt/RoomLog.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace psmks::test
+{
+/** psmks-benchmark on logs of a room, in a folder of its own. */
+class BenchmarkOnLogs : public testing::Test
+{
+ protected:
+  static constexpr int kScans = 8;
+
+  void SetUp() override
+  {
+    std::filesystem::create_directories(folder_);
+    writeGzipped(asFrames(log_), log("room"));
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  std::string log(const std::string& name) const { return path(name + ".rawlog"); }
+
+  ProgramRun run(const std::string& arguments) const
+  {
+    return runProgram("'" PSMKS_PROGRAM "' " + arguments + " --json " + path("t.json"));
+  }
+
+  nlohmann::json table(std::size_t index = 0) const
+  {
+    return nlohmann::json::parse(fileText(path("t.json"))).at("tables").at(index);
+  }
+
+  nlohmann::json rows(std::size_t index = 0) const { return table(index).at("rows"); }
+
+  void expectUsageError(const std::string& arguments, const std::string& sentence) const
+  {
+    const ProgramRun done = run(arguments);
+    EXPECT_EQ(done.exitCode, 1) << arguments;
+    EXPECT_NE(done.errors.find(sentence), std::string::npos) << done.errors;
+  }
+
+  /** @param sideways_m by which the last pose is wrong */
+  void writeTruth(const std::string& name, double sideways_m = 0) const
+  {
+    Trajectory truth;
+    for (const auto& step : log_.steps) truth.push_back({step.stamp_s, step.T_world_robot});
+    truth.back().pose.y_m += sideways_m;
+    std::ofstream out(path(name));
+    writeTum(out, truth);
+  }
+
+  const RoomLog log_{kScans};
+  const std::string folder_ = testing::TempDir() + "psmks-benchmark-logs_" +
+                              testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+}  // namespace psmks::test
