@@ -54,15 +54,12 @@ Pose2 mountingOfParameters(const CarmenSurvey& survey, bool rear)
           parameterOf(survey, side + "_side_offset").value_or(0), rear ? kPi : 0};
 }
 
-/** Steps from the first ray to the end of the field of view. */
-int stepsOf(int rays) { return std::max(1, rays % 2 == 1 ? rays - 1 : rays); }
-
 /** See BeamGrid. */
 bool fitsRound(double increment_rad, int rays) { return increment_rad * (rays - 0.5) <= 2 * kPi; }
 
 double spread_rad(double fieldOfView_rad, int rays)
 {
-  const double increment_rad = fieldOfView_rad / stepsOf(rays);
+  const double increment_rad = fieldOfView_rad / CarmenGeometry::stepsOf(rays);
   return fitsRound(increment_rad, rays) ? increment_rad : 2 * kPi / rays;
 }
 }  // namespace
@@ -72,11 +69,13 @@ CarmenGeometry::CarmenGeometry(const std::string& sensor, const CarmenSurvey& su
     : options_(options), parameters_(scannerOfParameters(survey, isRear(sensor)))
 {
   const CarmenSensorSurvey& scans = survey.sensors.at(sensor);
-  noReturn_m_ = scans.noReturn.limit_m();
+  noReturn_ = scans.noReturn;
   const bool isStatedByMessages = sensor.rfind("ROBOTLASER", 0) == 0 && !scans.mountingVaries;
   T_robot_sensor_ =
       isStatedByMessages ? scans.T_robot_sensor : mountingOfParameters(survey, isRear(sensor));
 }
+
+int CarmenGeometry::stepsOf(int rays) { return std::max(1, rays % 2 == 1 ? rays - 1 : rays); }
 
 const BeamGrid& CarmenGeometry::grid(const CarmenScanner& stated, int rays)
 {
@@ -102,7 +101,9 @@ double CarmenGeometry::maxRange_m(const CarmenScanner& stated) const
 {
   if (options_.maxRange_m) return *options_.maxRange_m;
   const auto said_m = firstOf(stated.maxRange_m, parameters_.maxRange_m);
-  return std::min(said_m.value_or(noReturn_m_), noReturn_m_);
+  const double read_m = noReturn_.limit_m();
+  if (!said_m) return read_m;
+  return noReturn_.isCode() ? std::min(*said_m, read_m) : *said_m;
 }
 
 double CarmenGeometry::beamTurn_s(const std::optional<CarmenScanner>& stated)

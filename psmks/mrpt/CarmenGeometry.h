@@ -18,6 +18,9 @@ class CarmenGeometry
   CarmenGeometry(const std::string& sensor, const CarmenSurvey& survey,
                  const CarmenOptions& options);
 
+  /** Steps of the increment that a field of view has which so many rays fill. */
+  static int stepsOf(int rays);
+
   /** Where the sensor sits: a FLASER straight ahead, an RLASER looking back, at the offset that
    *  parameters state; a ROBOTLASER where its messages put it. */
   const Pose2& T_robot_sensor() const { return T_robot_sensor_; }
@@ -48,7 +51,7 @@ class CarmenGeometry
  private:
   CarmenOptions options_;
   CarmenScanner parameters_;
-  double noReturn_m_;
+  NoReturnReading noReturn_;
   Pose2 T_robot_sensor_;
   BeamGrid grid_;  //!< of the last message: most scans share theirs
 };

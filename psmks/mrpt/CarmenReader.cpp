@@ -58,7 +58,7 @@ CarmenReader::CarmenReader(const std::string& path, std::optional<std::string> s
   if (!sensorLabel_ && !survey_.sensors.empty()) sensorLabel_ = survey_.firstSensor;
   const std::string sensor = sensorLabel_.value_or("");
   stamp_ = survey_.stampOf(sensor, options.stamp);
-  odometryStandsApart_ = survey_.odometryStandsApart(sensor);
+  odometry_ = survey_.odometryOf(sensor);
   for (const auto& [label, scans] : survey_.sensors)
     geometries_.emplace(label, CarmenGeometry(label, survey_, options));
 }
@@ -149,7 +149,8 @@ std::optional<Pose2> CarmenReader::odometryUntil(double stamp_s)
 
 std::optional<Pose2> CarmenReader::odometryAt(double stamp_s) const
 {
-  if (!odometryStandsApart_) return message_.T_odom_robot;
+  if (odometry_ == CarmenOdometry::None) return std::nullopt;
+  if (odometry_ == CarmenOdometry::Scans) return message_.T_odom_robot;
   const auto T_odom_robot = stamp_ ? track_.poseAt(stamp_s) : std::nullopt;
   return T_odom_robot ? T_odom_robot : T_odom_read_;
 }
@@ -165,7 +166,7 @@ std::vector<std::string> CarmenReader::remarks() const
 
   const CarmenSensorSurvey& scans = found->second;
   if (stamp_) remarkOnStamps(*stamp_ == CarmenStamp::Ipc ? scans.ipc : scans.logger, remarks);
-  if (odometryStandsApart_)
+  if (odometry_ == CarmenOdometry::OdometryMessages)
     remarks.push_back(
         "the odometry of the scans is zero throughout, that of the ODOM messages "
         "stands in");

@@ -19,7 +19,7 @@ namespace psmks
  * called like their messages: FLASER, RLASER, ROBOTLASER1, ROBOTLASER2.
  *
  * - Odometry is that of the robot in the scans' messages; that of the ODOM messages where the
- *   scans' is zero throughout.
+ *   scans' is zero throughout; none where both are.
  * - Scans stand in the order of the file and keep their stamps, even such as repeat or go back.
  * - A message whose numbers are not what they should be is skipped; see remarks(). A range that is
  *   NaN, infinite or not above 0 is no return.
@@ -56,7 +56,7 @@ class CarmenReader : public LogReader
   CarmenLines lines_;
   std::optional<std::string> sensorLabel_;
   std::optional<CarmenStamp> stamp_;
-  bool odometryStandsApart_;
+  CarmenOdometry odometry_;
   std::map<std::string, CarmenGeometry> geometries_;
   std::string damage_;
   std::map<std::string, int> scansOfSensors_;

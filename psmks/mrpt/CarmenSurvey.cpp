@@ -81,10 +81,11 @@ std::optional<CarmenStamp> CarmenSurvey::stampOf(const std::string& sensor,
   return std::nullopt;
 }
 
-bool CarmenSurvey::odometryStandsApart(const std::string& sensor) const
+CarmenOdometry CarmenSurvey::odometryOf(const std::string& sensor) const
 {
   const auto found = sensors.find(sensor);
-  return found != sensors.end() && found->second.odometryIsZero && odometryMoves;
+  if (found != sensors.end() && !found->second.odometryIsZero) return CarmenOdometry::Scans;
+  return odometryMoves ? CarmenOdometry::OdometryMessages : CarmenOdometry::None;
 }
 
 CarmenSurvey surveyCarmenLog(const std::string& path)

@@ -52,6 +52,14 @@ struct CarmenSensorSurvey
   void add(const CarmenMessage& message, int line);
 };
 
+/** The messages that say how the robot moved. */
+enum class CarmenOdometry
+{
+  None,
+  Scans,
+  OdometryMessages  //!< since the odometry of the scans is zero throughout
+};
+
 /** What must be known of a whole CARMEN log before its first scan can be read. */
 struct CarmenSurvey
 {
@@ -70,8 +78,7 @@ struct CarmenSurvey
   std::optional<CarmenStamp> stampOf(const std::string& sensor,
                                      const std::optional<CarmenStamp>& wanted) const;
 
-  /** Whether the ODOM messages say how the robot moved, since the scans do not. */
-  bool odometryStandsApart(const std::string& sensor) const;
+  CarmenOdometry odometryOf(const std::string& sensor) const;
 };
 
 /** Reads a log from its beginning to its end. */

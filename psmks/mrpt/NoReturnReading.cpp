@@ -35,9 +35,14 @@ void NoReturnReading::add(double range_m)
 
 double NoReturnReading::limit_m() const
 {
-  if (largest_m_ >= kSickRange_m && largest_m_ <= kSickLargestCode_m) return kSickRange_m;
+  if (isCode()) return kSickRange_m;
   if (timesLargest_ >= kFewestTimes && timesLargest_ > readingsBelowLargest()) return largest_m_;
   return std::max(kSickRange_m, largest_m_ + 1);
+}
+
+bool NoReturnReading::isCode() const
+{
+  return largest_m_ >= kSickRange_m && largest_m_ <= kSickLargestCode_m;
 }
 
 double NoReturnReading::readingsBelowLargest() const

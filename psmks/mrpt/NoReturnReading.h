@@ -27,6 +27,9 @@ class NoReturnReading
   /** Readings at or beyond it are no returns; beyond all readings where none stands out. */
   double limit_m() const;
 
+  /** Whether the largest readings are a SICK's codes, whatever range the log claims. */
+  bool isCode() const;
+
  private:
   double readingsBelowLargest() const;
 

@@ -15,7 +15,7 @@ class OdometryTrack
   /** A reading older than this says nothing of the present. */
   static constexpr double kMaxAge_s = 1.0;
 
-  /** Readings come in the order of time. */
+  /** Readings come in the order of time; where one does not, nothing is interpolated. */
   void add(double stamp_s, const Pose2& T_odom_robot);
 
   /** The pose between the last two readings, or after the last one at the speed between them; none

@@ -71,38 +71,53 @@ CObservation2DRangeScan::Ptr toMrpt(const Scan& scan, const Pose2& T_robot_senso
 
 void RawlogWriter::write(const Scan& scan, const Pose2& T_start_odometry)
 {
-  const auto observation = toMrpt(scan, options_.T_robot_sensor);
+  LaserFrame frame;
+  frame.scan = toMrpt(scan, options_.T_robot_sensor);
+  frame.stamp_s = scan.stamp_s;
+  frame.odometry = T_start_odometry_.value_or(T_start_odometry).inverse() * T_start_odometry;
+  frame.observations.insert(frame.scan);
+  if (!T_start_odometry_) T_start_odometry_ = T_start_odometry;
+  write(frame);
+}
+
+void RawlogWriter::write(const LaserFrame& frame)
+{
+  if (frame.scan->timestamp == INVALID_TIMESTAMP)
+    frame.scan->timestamp = mrpt::Clock::fromDouble(frame.stamp_s);
+  LaserFrame placed = frame;
+  if (!T_start_odometry_) placed.odometry = Pose2();
+  T_start_odometry_ = T_start_odometry_.value_or(Pose2()) * placed.odometry.value_or(Pose2());
   if (options_.format == RawlogFormat::Actions)
-    writeActions(observation,
-                 lastOdometry_.value_or(T_start_odometry).inverse() * T_start_odometry);
+    writeActions(placed);
   else
-    writeObservations(observation, T_start_odometry);
-  lastOdometry_ = T_start_odometry;
+    writeObservations(placed);
 }
 
-void RawlogWriter::writeActions(const CObservation2DRangeScan::Ptr& scan, const Pose2& motion)
+void RawlogWriter::writeActions(const LaserFrame& frame)
 {
-  CActionRobotMovement2D movement;
-  movement.timestamp = scan->timestamp;
-  movement.computeFromOdometry(toMrpt(motion), motionModel(options_.odometry));
   CActionCollection actions;
-  actions.insert(movement);
-  CSensoryFrame frame;
-  frame.insert(scan);
-
+  if (frame.odometry)
+  {
+    CActionRobotMovement2D movement;
+    movement.timestamp = frame.scan->timestamp;
+    movement.computeFromOdometry(toMrpt(*frame.odometry), motionModel(options_.odometry));
+    actions.insert(movement);
+  }
   auto archive = mrpt::serialization::archiveFrom(file_);
-  archive << actions << frame;
+  archive << actions << frame.observations;
 }
 
-void RawlogWriter::writeObservations(const CObservation2DRangeScan::Ptr& scan,
-                                     const Pose2& T_start_odometry)
+void RawlogWriter::writeObservations(const LaserFrame& frame)
 {
-  CObservationOdometry odometry;
-  odometry.timestamp = scan->timestamp;
-  odometry.sensorLabel = "ODOMETRY";
-  odometry.odometry = toMrpt(T_start_odometry);
-
   auto archive = mrpt::serialization::archiveFrom(file_);
-  archive << odometry << *scan;
+  if (frame.odometry)
+  {
+    CObservationOdometry odometry;
+    odometry.timestamp = frame.scan->timestamp;
+    odometry.sensorLabel = "ODOMETRY";
+    odometry.odometry = toMrpt(*T_start_odometry_);
+    archive << odometry;
+  }
+  for (const auto& observation : frame.observations) archive << *observation;
 }
 }  // namespace psmks

@@ -6,6 +6,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <psmks/core/OdometryNoise.h>
 #include <psmks/core/Scan.h>
+#include <psmks/mrpt/LogReader.h>
 
 #include <optional>
 #include <string>
@@ -27,7 +28,8 @@ enum class RawlogFormat
 mrpt::obs::CObservation2DRangeScan::Ptr toMrpt(const Scan& scan, const Pose2& T_robot_sensor);
 
 /** Writes the scans and the odometry of a drive as a gzipped rawlog. The same input gives the same
- * bytes. The sensors are called LASER1 and, in a log of observations, ODOMETRY. */
+ * bytes. Sensors that have no name of their own are called LASER1 and, in a log of observations,
+ * ODOMETRY. */
 class RawlogWriter
 {
  public:
@@ -47,6 +49,12 @@ class RawlogWriter
    *  @throws std::exception where the file cannot be written */
   void write(const Scan& scan, const Pose2& T_start_odometry);
 
+  /** The next frame of another log, all its observations included. A scan without a stamp gets that
+   *  of the frame. Where the frame has no odometry, the log has none there, but for the first
+   *  frame, which stands at the start.
+   *  @throws std::exception where the file cannot be written */
+  void write(const LaserFrame& frame);
+
   /** The time that a stamp has in the log: MRPT counts in 100 ns. */
   static double loggedStamp_s(double stamp_s)
   {
@@ -54,12 +62,11 @@ class RawlogWriter
   }
 
  private:
-  void writeActions(const mrpt::obs::CObservation2DRangeScan::Ptr& scan, const Pose2& motion);
-  void writeObservations(const mrpt::obs::CObservation2DRangeScan::Ptr& scan,
-                         const Pose2& T_start_odometry);
+  void writeActions(const LaserFrame& frame);
+  void writeObservations(const LaserFrame& frame);
 
   Options options_;
   mrpt::io::CFileGZOutputStream file_;
-  std::optional<Pose2> lastOdometry_;
+  std::optional<Pose2> T_start_odometry_;  //!< at the last frame; none before the first
 };
 }  // namespace psmks

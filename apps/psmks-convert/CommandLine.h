@@ -1,0 +1,44 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/support/LogFlags.h>
+
+#include <optional>
+#include <string>
+
+namespace psmks
+{
+/** What a file is converted to: the ending of its name says it. */
+enum class OutputKind
+{
+  Rawlog,    //!< .rawlog
+  Carmen,    //!< .log, .clf
+  Pairs,     //!< .pairs
+  Segments,  //!< .csv
+  Unknown
+};
+
+/** What the user typed. */
+struct CommandLine
+{
+  std::string input, output;
+  LogFlags logFlags;
+  std::string groundTruth;
+  int every = 1;
+  int maxScans = 0;  //!< 0: all
+  bool observations = false;
+  bool overwrite = false;
+
+  OutputKind outputKind() const;
+};
+
+/** @return the command line, or the exit code where there is nothing to run: --help, --version, or
+ * an error that was told already */
+struct ParsedCommandLine
+{
+  std::optional<CommandLine> commandLine;
+  int exitCode = 0;
+};
+
+ParsedCommandLine parseCommandLine(int argc, char** argv);
+}  // namespace psmks

@@ -1,0 +1,38 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-convert/CommandLine.h>
+#include <apps/psmks-convert/ConvertLog.h>
+#include <apps/psmks-convert/ConvertMap.h>
+#include <apps/support/ExitCode.h>
+
+#include <filesystem>
+
+namespace psmks
+{
+namespace
+{
+void checkOutput(const CommandLine& commandLine)
+{
+  const std::string& output = commandLine.output;
+  std::error_code ignored;
+  if (std::filesystem::equivalent(commandLine.input, output, ignored))
+    throw ProgramError(kUsage, "'" + output + "' is the input");
+  if (!commandLine.overwrite && std::filesystem::exists(output))
+    throw ProgramError(kUsage, "'" + output + "' exists, add --overwrite or name another");
+}
+
+ExitCode run(const CommandLine& commandLine)
+{
+  checkOutput(commandLine);
+  if (commandLine.outputKind() != OutputKind::Segments) return convertLog(commandLine);
+  convertMap(commandLine);
+  return kOk;
+}
+}  // namespace
+}  // namespace psmks
+
+int main(int argc, char** argv)
+{
+  const psmks::ParsedCommandLine parsed = psmks::parseCommandLine(argc, argv);
+  if (!parsed.commandLine) return parsed.exitCode;
+  return psmks::exitCodeOf("psmks-convert", [&parsed] { return psmks::run(*parsed.commandLine); });
+}

@@ -1,0 +1,51 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/mrpt/CarmenReader.h>
+#include <psmks/mrpt/OpenLog.h>
+#include <psmks/mrpt/RawlogReader.h>
+#include <tests/unit/mrpt/CarmenText.h>
+#include <tests/unit/mrpt/RoomLog.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace psmks
+{
+namespace
+{
+using namespace test;
+
+class OpenLogTest : public testing::Test
+{
+ protected:
+  void TearDown() override { std::filesystem::remove(path_); }
+  const std::string path_ = testing::TempDir() + "OpenLogTest.file";
+};
+
+TEST_F(OpenLogTest, theContentTellsTheKindWhateverTheName)
+{
+  std::ofstream(path_) << flaser(std::vector<double>(181, 2.0), {}, 1);
+  EXPECT_TRUE(dynamic_cast<CarmenReader*>(openLog(path_).get()));
+  writeGzipped(asFrames(RoomLog(2)), path_);
+  EXPECT_TRUE(dynamic_cast<RawlogReader*>(openLog(path_).get()));
+  writePlain(asFrames(RoomLog(2)), path_);
+  EXPECT_TRUE(dynamic_cast<RawlogReader*>(openLog(path_).get()));
+}
+
+TEST_F(OpenLogTest, theSensorIsHandedOn)
+{
+  std::ofstream(path_) << flaser(std::vector<double>(181, 2.0), {}, 1);
+  LogOptions options;
+  options.sensorLabel = "RLASER";
+  LaserFrame frame;
+  const auto reader = openLog(path_, options);
+  EXPECT_FALSE(reader->next(frame));
+  EXPECT_EQ(reader->scansOfSensors().at("FLASER"), 1);
+}
+
+TEST_F(OpenLogTest, aMissingFileGivesAReaderThatSaysSo)
+{
+  EXPECT_NE(openLog(path_)->damage().find("no such file"), std::string::npos);
+}
+}  // namespace
+}  // namespace psmks
