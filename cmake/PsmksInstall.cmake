@@ -16,3 +16,4 @@ install(FILES
   "${PROJECT_SOURCE_DIR}/cmake/FindPsmksMrpt.cmake"
   DESTINATION ${psmks_package_dir})
 install(FILES package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/psmks)
+install(DIRECTORY config DESTINATION ${CMAKE_INSTALL_DATADIR}/psmks)

@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/LogRun.h>
+#include <apps/psmks-benchmark/WorstMotions.h>
 #include <psmks/core/Stopwatch.h>
 #include <psmks/eval/Jumps.h>
 #include <psmks/mrpt/TrajectoryBuilder.h>
@@ -92,21 +93,27 @@ PairErrorStatistics errorsOver(const std::vector<Relation>& relations, const Tra
   return errorStatistics(errors, kJumpLimit);
 }
 
-void holdAgainstTruth(const Log& log, const std::vector<PosedScan>& scans, LogRun& run)
+void holdAgainstTruth(const Log& log, const std::vector<PosedScan>& scans, std::size_t drawn,
+                      LogRun& run)
 {
-  const Trajectory estimate = trajectoryOf(scans), odometry = odometryOf(scans);
+  const Trajectory estimate = trajectoryOf(scans);
   const std::vector<Relation> some = shortRelations(log.relations);
   run.relations = errorsOver(log.relations, estimate);
   run.shortRelations = errorsOver(some, estimate);
-  if (log.groundTruth)
-    run.jumps = countJumps(estimate, odometry, trueSteps(estimate, *log.groundTruth));
-  else if (!some.empty())
-    run.jumps = countJumps(estimate, odometry, some);
+  if (!log.groundTruth && some.empty()) return;
+
+  const MatchedPath matched(scans);
+  const std::vector<Relation> motions =
+      log.groundTruth ? trueSteps(matched.estimate, *log.groundTruth) : some;
+  run.jumps = countJumps(matched.estimate, matched.odometry, motions);
+  if (drawn > 0)
+    run.worst = worstMotions(log.title + ", " + run.matcher + ", " + run.reference, scans, matched,
+                             motions, drawn);
 }
 }  // namespace
 
 LogRun runLog(const Log& log, const std::string& matcher, const std::string& reference,
-              SlamOptions options)
+              SlamOptions options, std::size_t drawn)
 {
   options.set("reference.choice=" + reference);
   TrajectoryBuilder builder(makePairMatcher(matcher, options.matching.matcher), options.reference,
@@ -121,7 +128,7 @@ LogRun runLog(const Log& log, const std::string& matcher, const std::string& ref
   run.time_s = stopwatch.lap_s();
   run.segmentation_s = segmentationTime_s(builder.scans());
   run.summary = summarise(builder.scans(), log.groundTruth);
-  holdAgainstTruth(log, builder.scans(), run);
+  holdAgainstTruth(log, builder.scans(), drawn, run);
   return run;
 }
 

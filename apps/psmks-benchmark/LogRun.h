@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apps/psmks-benchmark/LogInput.h>
+#include <apps/psmks-benchmark/report/LogsPage.h>
 #include <apps/support/SlamOptions.h>
 #include <apps/support/Summary.h>
 #include <psmks/eval/ErrorStatistics.h>
@@ -25,8 +26,9 @@ struct LogRun
   Summary summary;
   PairErrorStatistics relations;       //!< errors over all relations of the log
   PairErrorStatistics shortRelations;  //!< over those that span less than kShortSpan_s
-  std::optional<int> jumps;  //!< see countJumps(); over the steps of a ground truth, or over short
+  std::optional<int> jumps;  //!< see countJumps(); from matched scan to matched scan, or over short
                              //!< relations; none where neither is known
+  DrawnRun worst;            //!< where its path is furthest from the truth, as jumps are counted
   double time_s = std::numeric_limits<double>::infinity();  //!< of the run, but for reading the log
   double segmentation_s = 0;                                //!< of that, in segmenting scans
 };
@@ -34,9 +36,10 @@ struct LogRun
 /** Builds the trajectory of a log. Every matcher starts a match where its own trajectory and the
  * odometry of the log lead.
  *  @param reference as in LogRun
+ *  @param drawn motions that are kept for drawing
  *  @throws OptionError for a matcher that does not exist or options that it does not accept */
 LogRun runLog(const Log& log, const std::string& matcher, const std::string& reference,
-              SlamOptions options);
+              SlamOptions options, std::size_t drawn);
 
 /** A row for each run. */
 Table logTable(const std::string& title, const std::vector<LogRun>& runs);

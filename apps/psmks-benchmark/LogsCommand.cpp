@@ -1,5 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/LogsCommand.h>
+#include <apps/psmks-benchmark/Machine.h>
+#include <apps/psmks-benchmark/report/CommandLine.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 
@@ -33,6 +35,9 @@ LogsCommand::LogsCommand(CLI::App& app)
   addRepeatsFlag(app, repeats_);
   optionFlags_.addTo(app);
   output_.addFlags(app);
+  app.add_option("--html", htmlPath_, "write one page: tables, the worst motions drawn")
+      ->type_name("FILE");
+  app.add_option("--draw-worst", drawn_, "motions of each run on that page")->capture_default_str();
 }
 
 int LogsCommand::run()
@@ -41,6 +46,7 @@ int LogsCommand::run()
   options_ = optionFlags_.options();
   checkMatchers(matchers_, options_.matching.matcher);
   output_.open();
+  if (!htmlPath_.empty()) html_ = createFile("--html", htmlPath_);
 
   std::vector<Table> tables;
   std::vector<LogRun> all;
@@ -50,7 +56,7 @@ int LogsCommand::run()
     tables.push_back(logTable(log.title, some));
     all.insert(all.end(), some.begin(), some.end());
   }
-  if (!tables.empty()) output_.write(tables);
+  if (!tables.empty()) write(tables, all);
 
   if (input_.isDamaged()) return kInputDamaged;
   if (tables.empty()) return kNothingToDo;
@@ -67,11 +73,22 @@ std::vector<LogRun> LogsCommand::runs(const Log& log)
   for (int repeat = 0; repeat < repeats_; ++repeat)
     for (std::size_t m = 0; m < methods.size(); ++m)
     {
-      LogRun run = runLog(log, methods[m].first, methods[m].second, options_);
+      LogRun run =
+          runLog(log, methods[m].first, methods[m].second, options_, html_.is_open() ? drawn_ : 0);
       if (run.time_s < runs[m].time_s) runs[m] = std::move(run);
       progress.show(++done / total);
     }
   return runs;
+}
+
+void LogsCommand::write(const std::vector<Table>& tables, const std::vector<LogRun>& runs)
+{
+  output_.write(tables);
+  if (!html_.is_open()) return;
+  std::vector<DrawnRun> drawn;
+  for (const LogRun& run : runs)
+    if (!run.worst.records.empty()) drawn.push_back(run.worst);
+  html_ << logsPage({Machine::present().line(), commandLine()}, tables, drawn);
 }
 
 /** The odometry needs no more than one choice of references: it is the same with all. */

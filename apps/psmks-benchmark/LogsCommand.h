@@ -7,6 +7,7 @@
 #include <apps/psmks-benchmark/TableOutput.h>
 
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,7 @@ class LogsCommand
   using Method = std::pair<std::string, std::string>;  //!< matcher and reference
 
   std::vector<LogRun> runs(const Log& log);
+  void write(const std::vector<Table>& tables, const std::vector<LogRun>& runs);
   std::vector<Method> chosenMethods() const;
 
   LogInput input_;
@@ -39,5 +41,8 @@ class LogsCommand
   OptionFlags optionFlags_;
   SlamOptions options_;
   TableOutput output_;
+  std::string htmlPath_;
+  std::ofstream html_;
+  std::size_t drawn_ = 10;
 };
 }  // namespace psmks

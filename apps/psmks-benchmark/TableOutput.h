@@ -1,27 +1,22 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/eval/Table.h>
+#include <apps/support/TableFiles.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
-#include <string>
 #include <vector>
 
 namespace psmks
 {
-/** Opens a file for writing.
- *  @throws CLI::ValidationError naming the flag where it cannot be created */
-std::ofstream createFile(const std::string& flag, const std::string& path);
-
-/** Where the tables of a command go besides the terminal. */
+/** Where the tables of a command go: to the terminal and to files, with the machine that they were
+ * measured on. */
 class TableOutput
 {
  public:
-  void addFlags(CLI::App& command);
+  void addFlags(CLI::App& command) { files_.addFlags(command); }
 
   /** Creates the files, so that a mistyped path is reported before the work is done. */
-  void open();
+  void open() { files_.open(); }
 
   /** To the terminal and to the files.
    *  @param tables all with the same columns */
@@ -35,7 +30,6 @@ class TableOutput
   void save(const std::vector<Table>& tables);
 
  private:
-  std::string csvPath_, jsonPath_, markdownPath_;
-  std::ofstream csv_, json_, markdown_;
+  TableFiles files_;
 };
 }  // namespace psmks

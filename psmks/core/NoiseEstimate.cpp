@@ -46,8 +46,8 @@ double medianRange_m(const RayColumns& rays, const RangeSpan& span, std::vector<
 std::optional<RangeNoise> grownNoise(const RayColumns& rays, double least_m,
                                      std::vector<double>& scratch)
 {
-  constexpr double kClearGrowth = 1.4;
-  constexpr double kSmallest_m = 0.002;
+  constexpr double kClearGrowth = 2;
+  constexpr double kLeastRise = 1.3;  // a scan that is noisy far away is not quiet near by
   RangeSpan near, far;
   near.to_m = far.from_m = meanRange_m(rays);
   const double far_m = estimateRangeSigma_m(rays, scratch, far);
@@ -59,7 +59,8 @@ std::optional<RangeNoise> grownNoise(const RayColumns& rays, double least_m,
   const double slope2 =
       (far_m * far_m - near_m * near_m) / (farRange_m * farRange_m - nearRange_m * nearRange_m);
   const double rest_m2 = near_m * near_m - slope2 * nearRange_m * nearRange_m;
-  return RangeNoise{std::sqrt(std::max(rest_m2, kSmallest_m * kSmallest_m)),
+  const double nearest_m = kLeastRise * rays.noise.sigma_m;
+  return RangeNoise{std::sqrt(std::max(rest_m2, nearest_m * nearest_m)),
                     std::min(std::sqrt(slope2), kLargestPerMetre_m)};
 }
 }  // namespace

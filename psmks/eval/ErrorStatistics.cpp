@@ -32,9 +32,7 @@ PairErrorStatistics errorStatistics(const std::vector<PairError>& errors, const 
     translations_m.push_back(error.translation_m);
     rotations_rad.push_back(error.rotation_rad);
     squares_m2.push_back(error.translation_m * error.translation_m);
-    successes.push_back(
-        (error.translation_m < limit.translation_m && error.rotation_rad < limit.rotation_rad) ? 1
-                                                                                               : 0);
+    successes.push_back(isSuccess(error, limit) ? 1 : 0);
   }
   return {errors.size(), errorStatistics(translations_m), errorStatistics(rotations_rad),
           errorStatistics(squares_m2), mean(successes)};

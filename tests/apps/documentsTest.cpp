@@ -5,7 +5,10 @@
 #include <tests/support/Says.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <regex>
+#include <vector>
 
 namespace psmks
 {
@@ -70,6 +73,64 @@ TEST(Config, loadsIntoTheMatcher)
   paper.matcher = MatcherOptions::paperScheme();
   EXPECT_EQ(dumped(loaded("config/psmks.ini")), dumped(ScanMatcherOptions()));
   EXPECT_EQ(dumped(loaded("config/psmks-paper.ini")), dumped(paper));
+}
+
+TEST(SensorFiles, holdWhatTheirTableSays)
+{
+  struct Scanner
+  {
+    std::string file;
+    double minRange_m, maxRange_m, sigma_m, sigmaPerMetre_m;
+  };
+  const std::vector<Scanner> scanners = {{"sick-lms200", 0, 0, 0.01, 0},
+                                         {"sick-lms1xx", 0.5, 20, 0.012, 0},
+                                         {"sick-tim5xx", 0.05, 10, 0.02, 0},
+                                         {"hokuyo-urg-04lx", 0.06, 5.6, 0.005, 0.01},
+                                         {"hokuyo-utm-30lx", 0.1, 30, 0.01, 0.001},
+                                         {"slamtec-rplidar-a", 0.15, 12, 0.005, 0.01}};
+  for (const Scanner& scanner : scanners)
+  {
+    const MatcherOptions options = loaded("config/sensors/" + scanner.file + ".ini").matcher;
+    EXPECT_EQ(options.preprocessing.minRange_m, scanner.minRange_m) << scanner.file;
+    EXPECT_EQ(options.preprocessing.maxRange_m, scanner.maxRange_m) << scanner.file;
+    EXPECT_EQ(options.segmentation.rangeSigma_m, scanner.sigma_m) << scanner.file;
+    EXPECT_EQ(options.segmentation.rangeSigmaPerMetre_m, scanner.sigmaPerMetre_m) << scanner.file;
+    EXPECT_TRUE(test::says(source("config/README.md"), {"`" + scanner.file + ".ini`"}));
+  }
+  const std::filesystem::directory_iterator files(kSource + "/config/sensors"), none;
+  EXPECT_EQ(static_cast<std::size_t>(std::distance(files, none)), scanners.size());
+}
+
+/** Defaults, --sensor-file, --config, --set: each overrides those before it. */
+TEST(SensorFiles, overrideDefaultsAndAreOverridden)
+{
+  const std::string config = testing::TempDir() + "psmks_over_sensor.ini";
+  std::ofstream(config) << "[psmks.segmentation]\nrange_sigma_m = 0.03\nmin_rays = 7\n";
+  const auto printed = [&](const std::string& flags)
+  {
+    const ProgramRun run = runProgram(quoted(PSMKS_SLAM) + " --print-config " + flags);
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    return run.output;
+  };
+  const std::string sensor =
+      "--sensor-file " + quoted(kSource + "/config/sensors/hokuyo-urg-04lx.ini");
+  EXPECT_TRUE(test::says(printed(sensor),
+                         {"\nrange_sigma_m = 0.005\n", "\nrange_sigma_per_metre_m = 0.01\n",
+                          "\nmax_range_m = 5.6\n", "\nmin_rays = 6\n"}));
+  EXPECT_TRUE(test::says(
+      printed("--config " + quoted(config) + " " + sensor),
+      {"\nrange_sigma_m = 0.03\n", "\nrange_sigma_per_metre_m = 0.01\n", "\nmin_rays = 7\n"}));
+  EXPECT_TRUE(
+      test::says(printed(sensor + " --set segmentation.min_rays=8 --config " + quoted(config)),
+                 {"\nrange_sigma_m = 0.03\n", "\nmin_rays = 8\n"}));
+  std::filesystem::remove(config);
+}
+
+TEST(SensorFiles, thatAreMissingAreAnErrorOfUse)
+{
+  const ProgramRun run = runProgram(quoted(PSMKS_SLAM) + " --print-config --sensor-file none.ini");
+  EXPECT_EQ(run.exitCode, 1);
+  EXPECT_TRUE(test::says(run.errors, {"none.ini"}));
 }
 
 TEST(Readme, showsTheExample)

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <tests/apps/BenchmarkOnLogs.h>
 #include <tests/support/Says.h>
+#include <tests/unit/report/Markup.h>
 
 #include <algorithm>
 
@@ -167,6 +168,23 @@ TEST_F(PsmksBenchmarkLogs, aCarmenLogIsReadAsWell)
   ASSERT_EQ(run(path("corner.log") + " --matchers guess").exitCode, 0);
   EXPECT_EQ(table().at("table"), "corner");
   EXPECT_EQ(rows()[0].at("scans"), 2);
+}
+
+TEST_F(PsmksBenchmarkLogs, theMotionsFurthestFromTheTruthAreDrawn)
+{
+  writeTruth("room.gt.tum", 0.4);
+  const std::string flags =
+      log("room") + " --references map --matchers psmks,guess --html " + path("l.html");
+  ASSERT_EQ(run(flags + " --draw-worst 2").exitCode, 0);
+  const std::string html = fileText(path("l.html"));
+  EXPECT_EQ(firstFlaw(html), "");
+  EXPECT_EQ(countOf("<figure>", html), 2 * 2);
+  EXPECT_EQ(countOf("<summary>room, psmks, map</summary>", html), 1);
+  EXPECT_LT(html.find("<figcaption>pair 7: 4"), html.find("<figcaption>pair ") + 1)
+      << "the motion to the last scan is the worst, by 40 cm";
+  std::filesystem::remove(path("room.gt.tum"));
+  ASSERT_EQ(run(flags).exitCode, 0);
+  EXPECT_EQ(countOf("<figure>", fileText(path("l.html"))), 0) << "nobody knows the truth";
 }
 
 TEST_F(PsmksBenchmarkLogs, whatCannotBeAcceptedIsAUsageError)

@@ -26,6 +26,13 @@ class PairDrawings
   {
   }
 
+  /** What the pictures show, as the end of a sentence. */
+  static constexpr const char* kLegend =
+      "the <span class=\"reference\">reference</span> scan, the current scan where it "
+      "<span class=\"truth\">truly</span> was and where the match "
+      "<span class=\"estimate\">put</span> it; the sensor at the "
+      "<span class=\"guess\">guess</span>.";
+
   /** A `figure` element with its caption.
    *  @param place of the pair and its record */
   std::string draw(std::size_t place, const PairRecord& record);

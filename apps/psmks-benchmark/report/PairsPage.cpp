@@ -12,13 +12,6 @@ namespace
 {
 constexpr std::size_t kWorstPairs = 10;
 
-const char* const kLegend =
-    "<p>The worst pairs of each matcher, by the larger of both errors as shares of what a success "
-    "may have: the <span class=\"reference\">reference</span> scan, the current scan where "
-    "it <span class=\"truth\">truly</span> was and where the match "
-    "<span class=\"estimate\">put</span> it; the sensor at the <span class=\"guess\">guess</span>."
-    "</p>\n";
-
 std::vector<std::string> guessesOf(const PairsSetResult& set)
 {
   std::vector<std::string> guesses;
@@ -47,7 +40,9 @@ void addConvergence(HtmlPage& page, const PairsSetResult& set)
 
 void addWorstPairs(HtmlPage& page, const PairsSetResult& set, PairDrawings drawings)
 {
-  page.addHtml(kLegend);
+  page.addHtml(std::string("<p>The worst pairs of each matcher, by the larger of both errors as "
+                           "shares of what a success may have: ") +
+               PairDrawings::kLegend + "</p>\n");
   for (const PairsRun& run : set.runs)
   {
     std::string drawn;

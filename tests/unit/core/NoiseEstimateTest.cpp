@@ -58,7 +58,7 @@ TEST(NoiseEstimate, GrowsWhereFarRangesAreNoisier)
     const RangeNoise noise = shown(real, seed);
     EXPECT_TRUE(noise.grows()) << "seed " << seed;
     for (const double range_m : {2.0, 10.0})
-      EXPECT_NEAR(noise.sigmaAt_m(range_m) / real.sigmaAt_m(range_m), 1, 0.35)
+      EXPECT_NEAR(noise.sigmaAt_m(range_m) / real.sigmaAt_m(range_m), 1, 0.4)
           << range_m << " m, seed " << seed;
   }
 }

@@ -1,0 +1,26 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/psmks-benchmark/report/HtmlPage.h>
+#include <psmks/eval/PairsFile.h>
+#include <psmks/eval/PairsSummary.h>
+#include <psmks/eval/Table.h>
+
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** Pairs of scans that a run through a log put in places to be looked at. */
+struct DrawnRun
+{
+  std::string title;
+  std::vector<ScanPair> pairs;
+  std::vector<PairRecord> records;  //!< one per pair, in order; id: place of the scan in the log
+};
+
+/** The comparison of matchers on logs as one HTML page: the tables, and on demand the drawings of
+ * each run. */
+std::string logsPage(const PageOrigin& origin, const std::vector<Table>& tables,
+                     const std::vector<DrawnRun>& runs);
+}  // namespace psmks

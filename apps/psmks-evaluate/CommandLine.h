@@ -1,0 +1,38 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/support/TableFiles.h>
+#include <psmks/core/Angle.h>
+#include <psmks/eval/PairError.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** What the user typed. */
+struct CommandLine
+{
+  std::vector<std::string> estimates;
+  std::string groundTruth;  //!< empty: none; then there are relations
+  std::string relations;    //!< empty: none; then there is a ground truth
+
+  std::size_t skippedPoses = 0;  //!< of those that have a true one, from the first on
+  PairError limit{0.15, degToRad(2)};
+  std::vector<double> driftLengths_m{1, 10};
+  double shortSpan_s = 5;
+
+  std::string plot;  //!< empty: no picture
+  TableFiles files;
+};
+
+/** @return the command line, or the exit code where there is nothing to run: --help, --version, or
+ * an error that has been reported on stderr */
+struct ParsedCommandLine
+{
+  std::optional<CommandLine> commandLine;
+  int exitCode;
+};
+ParsedCommandLine parseCommandLine(int argc, char** argv);
+}  // namespace psmks

@@ -1,0 +1,107 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-evaluate/ErrorFigure.h>
+#include <psmks/core/Angle.h>
+#include <psmks/eval/PathErrors.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace psmks
+{
+namespace
+{
+constexpr unsigned kTruthColour = 0x000000;
+constexpr double kLeastShown_m = 1e-3, kLeastShown_deg = 1e-2;  // on logarithmic axes
+
+Chart chartOf(const std::string& title, const std::string& xLabel, const std::string& yLabel)
+{
+  Chart chart;
+  chart.title = title;
+  chart.xLabel = xLabel;
+  chart.yLabel = yLabel;
+  return chart;
+}
+
+ChartSeries pathOf(const std::string& name, const Trajectory& trajectory,
+                   const Pose2& T_shown_world)
+{
+  ChartSeries series{name, {}};
+  for (const auto& [stamp_s, pose] : trajectory)
+    series.points.push_back(T_shown_world * pose.translation());
+  return series;
+}
+
+/** On the truth's path, or without one from a common beginning. */
+Chart pathsChart(const std::vector<Comparison>& comparisons, const std::optional<Trajectory>& truth)
+{
+  Chart chart = chartOf(truth ? "paths, aligned" : "paths", "x [m]", "y [m]");
+  chart.equalAspect = true;
+  for (const Comparison& c : comparisons)
+    chart.series.push_back(
+        pathOf(c.name, c.estimate, truth ? align(c.common) : c.estimate.front().pose.inverse()));
+  if (!truth) return chart;
+  chart.series.push_back(pathOf("ground truth", *truth, {}));
+  chart.series.back().style = ChartSeries::Style::DashedLine;
+  chart.series.back().rgb = kTruthColour;
+  return chart;
+}
+
+using ErrorValue = std::function<double(const PairError&)>;
+
+double translation_m(const PairError& error) { return error.translation_m; }
+double rotation_deg(const PairError& error) { return radToDeg(error.rotation_rad); }
+
+Chart alongPathChart(const std::vector<Comparison>& comparisons, const std::string& quantity,
+                     const std::string& unit, const ErrorValue& value)
+{
+  Chart chart = chartOf("error of " + quantity, "true path [m]", "error [" + unit + ']');
+  for (const Comparison& c : comparisons)
+  {
+    ChartSeries series{c.name, {}};
+    const auto lengths_m = truePathLengths_m(c.common);
+    const auto errors = absoluteErrors(c.common, align(c.common));
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      series.points.emplace_back(lengths_m[i], value(errors[i]));
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
+Chart relationsChart(const std::vector<Comparison>& comparisons, const std::string& quantity,
+                     const std::string& unit, double leastShown, const ErrorValue& value)
+{
+  Chart chart =
+      chartOf("relations: error of " + quantity, "time spanned [s]", "error [" + unit + ']');
+  chart.xRange.logarithmic = chart.yRange.logarithmic = true;
+  for (const Comparison& c : comparisons)
+  {
+    ChartSeries series{c.name, {}, ChartSeries::Style::Points};
+    for (const auto& [span_s, error_m, error_rad] : c.relations)
+      series.points.emplace_back(span_s, std::max(leastShown, value({error_m, error_rad})));
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+}  // namespace
+
+Figure errorFigure(const std::vector<Comparison>& comparisons,
+                   const std::optional<Trajectory>& truth)
+{
+  Figure figure;
+  figure.columns = 3;
+  figure.panels.push_back(pathsChart(comparisons, truth));
+  if (truth)
+  {
+    figure.panels.push_back(alongPathChart(comparisons, "position", "m", translation_m));
+    figure.panels.push_back(alongPathChart(comparisons, "heading", "deg", rotation_deg));
+  }
+  if (!comparisons.front().relations.empty())
+  {
+    figure.panels.push_back(
+        relationsChart(comparisons, "translation", "m", kLeastShown_m, translation_m));
+    figure.panels.push_back(
+        relationsChart(comparisons, "rotation", "deg", kLeastShown_deg, rotation_deg));
+  }
+  return figure;
+}
+}  // namespace psmks

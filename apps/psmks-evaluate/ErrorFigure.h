@@ -1,0 +1,16 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/psmks-evaluate/Comparison.h>
+#include <psmks/eval/Figure.h>
+#include <psmks/eval/Trajectory.h>
+
+#include <optional>
+#include <vector>
+
+namespace psmks
+{
+/** The paths over each other, and the errors along them or over the spans of the relations. */
+Figure errorFigure(const std::vector<Comparison>& comparisons,
+                   const std::optional<Trajectory>& truth);
+}  // namespace psmks

@@ -1,0 +1,85 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-evaluate/Comparison.h>
+#include <apps/psmks-evaluate/ErrorFigure.h>
+#include <apps/psmks-evaluate/ErrorTables.h>
+#include <apps/psmks-evaluate/Evaluate.h>
+#include <apps/support/ExitCode.h>
+#include <apps/support/GroundTruth.h>
+#include <psmks/eval/PathErrors.h>
+
+#include <iomanip>
+#include <iostream>
+
+namespace psmks
+{
+namespace
+{
+/** What the estimates are held against; at least one of the two. */
+struct Truth
+{
+  std::optional<Trajectory> trajectory;
+  std::vector<Relation> relations;
+};
+
+Truth readTruth(const CommandLine& c)
+{
+  Truth truth;
+  if (!c.groundTruth.empty()) truth.trajectory = readGroundTruth(c.groundTruth);
+  if (!c.relations.empty()) truth.relations = readTrueRelations(c.relations);
+  return truth;
+}
+
+std::vector<Comparison> compare(const CommandLine& c, const Truth& truth)
+{
+  const auto names = namesOf(c.estimates);
+  std::vector<Comparison> comparisons;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    const std::string& path = c.estimates[i];
+    Comparison comparison{names[i], readEstimate(path), {}, {}};
+    const Trajectory& estimate = comparison.estimate;
+    if (truth.trajectory)
+      comparison.common = requireCommonPoses(path, estimate, *truth.trajectory, c.skippedPoses);
+    if (!truth.relations.empty())
+      comparison.relations = requireRelationErrors(path, estimate, truth.relations);
+    comparisons.push_back(std::move(comparison));
+  }
+  return comparisons;
+}
+
+/** How much of the input could be compared. */
+void printCoverage(std::ostream& out, const std::vector<Comparison>& comparisons,
+                   const Truth& truth)
+{
+  out << std::fixed << std::setprecision(1);
+  for (const auto& [name, estimate, common, relations] : comparisons)
+  {
+    out << name << ": " << estimate.size() << " poses";
+    if (truth.trajectory)
+      out << ", " << common.size() << " with a true one, along " << truePathLengths_m(common).back()
+          << " m";
+    if (!truth.relations.empty())
+      out << ", " << relations.size() << " of " << truth.relations.size() << " relations";
+    out << '\n';
+  }
+}
+
+void draw(const std::string& path, const std::vector<Comparison>& comparisons, const Truth& truth)
+{
+  std::string reason;
+  if (!save(errorFigure(comparisons, truth.trajectory), path, &reason))
+    throw ProgramError(kUsage, reason);
+}
+}  // namespace
+
+void evaluate(CommandLine& commandLine)
+{
+  const Truth truth = readTruth(commandLine);
+  const auto comparisons = compare(commandLine, truth);
+  const auto tables = errorTables(comparisons, commandLine);
+  printCoverage(std::cout, comparisons, truth);
+  for (const Table& table : tables) std::cout << '\n' << toText(table);
+  commandLine.files.save(tables);
+  if (!commandLine.plot.empty()) draw(commandLine.plot, comparisons, truth);
+}
+}  // namespace psmks
