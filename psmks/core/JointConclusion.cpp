@@ -48,7 +48,7 @@ void JointConclusion::accept()
 void JointConclusion::settleUnobservable()
 {
   const Observability& o = best_.observability;
-  if (o.weakSigma_m > match_.options.weakDirectionSigma_m)
+  if (o.weakSigma_m > match_.weakDirectionSigma_m())
     settleDirection(o.weakDirection, o.weakSigma_m);
   if (o.headingSigma_rad > match_.options.weakHeadingSigma_rad)
   {

@@ -11,6 +11,7 @@
 #include <psmks/core/RefinedPose.h>
 #include <psmks/core/ScanScores.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -46,5 +47,14 @@ struct JointMatch
   ScanScores scores;                    //!< of poses for these scans
   std::optional<PriorTerm> guessPrior;  //!< the guess, where it was measured
   MatchResult result;
+
+  /** A direction in which the position is known worse is not observable: that of the options, or
+   * for noisy scanners the one below which all rays together know less than half of a single ray
+   * that meets a wall head-on. */
+  double weakDirectionSigma_m() const
+  {
+    constexpr double kHalfARay = 1.5;
+    return std::max(options.weakDirectionSigma_m, kHalfARay * rangeSigma_m);
+  }
 };
 }  // namespace psmks

@@ -40,7 +40,8 @@ void listFields(OptionTable& table, JointOptions& o)
   table.add("accept_score", o.acceptScore, Unit::None, 0, 1,
             "a pose with a lower free-space score is refused");
   table.add("weak_direction_sigma_m", o.weakDirectionSigma_m, Unit::Metre, 1e-4, 10,
-            "a direction in which the scans fix the position worse is not observable");
+            "a direction in which the scans fix the position worse is not observable; at least 1.5 "
+            "times the standard deviation of a range");
   table.add("weak_heading_sigma_deg", o.weakHeadingSigma_rad, Unit::Degree, degToRad(1e-3),
             degToRad(180), "a heading that the scans fix worse is not observable");
 }

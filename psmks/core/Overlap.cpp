@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/FastBearing.h>
 #include <psmks/core/Overlap.h>
 
 #include <cmath>
@@ -7,9 +8,6 @@ namespace psmks
 {
 namespace
 {
-// Every so many rays are looked at: a share needs no more.
-constexpr int kStride = 4;
-
 // How far a return may lie from what the reference saw: the pose is a guess, and the farther the
 // return the more a wrong heading moves it.
 constexpr double kTolerance_m = 0.3;
@@ -30,37 +28,49 @@ bool isReturn(const Scan& scan, int ray)
   return flaggedValid && std::isfinite(range_m) && range_m > 0 && inReach;
 }
 
-bool isSeen(const Scan& reference, const Eigen::Vector2d& point_m)
+}  // namespace
+
+Overlap::Overlap(const Scan& reference, const Scan& current, int stride) : reference_(reference)
 {
+  if (!isWellFormed(reference) || !isWellFormed(current)) return;
+  for (int ray = 0; ray < current.grid.count(); ray += stride)
+    if (isReturn(current, ray))
+      returns_m_.push_back(current.range_m[static_cast<std::size_t>(ray)] *
+                           current.grid.direction(ray));
+}
+
+double Overlap::at(const Pose2& T_ref_cur) const
+{
+  if (returns_m_.empty()) return 0;
+  const Eigen::Matrix2d R = T_ref_cur.rotation();
+  const Eigen::Vector2d t_m = T_ref_cur.translation();
+  std::size_t seen = 0;
+  for (const Eigen::Vector2d& p_m : returns_m_) seen += isSeen(R * p_m + t_m) ? 1 : 0;
+  return static_cast<double>(seen) / static_cast<double>(returns_m_.size());
+}
+
+bool Overlap::isSeen(const Eigen::Vector2d& point_m) const
+{
+  const BeamGrid& grid = reference_.grid;
   const double range_m = point_m.norm();
-  const double index = reference.grid.index(std::atan2(point_m.y(), point_m.x()));
-  const bool isInside = index >= 0 && index <= reference.grid.count() - 1;
-  if (!isInside && !reference.grid.closed()) return false;
+  const double index =
+      grid.index(fastBearing_rad(static_cast<float>(point_m.y()), static_cast<float>(point_m.x())));
+  const bool isInside = index >= 0 && index <= grid.count() - 1;
+  if (!isInside && !grid.closed()) return false;
   const double tolerance_m = kTolerance_m + kTolerancePerMetre * range_m;
   for (const int step : {0, 1})
   {
-    const int ray = reference.grid.neighbour(static_cast<int>(std::floor(index)), step);
-    if (ray >= 0 && isReturn(reference, ray) &&
-        std::abs(reference.range_m[static_cast<std::size_t>(ray)] - range_m) < tolerance_m)
+    const int ray = grid.neighbour(static_cast<int>(std::floor(index)), step);
+    if (ray >= 0 && isReturn(reference_, ray) &&
+        std::abs(reference_.range_m[static_cast<std::size_t>(ray)] - range_m) < tolerance_m)
       return true;
   }
   return false;
 }
-}  // namespace
 
 double overlap(const Scan& reference, const Scan& current, const Pose2& T_ref_cur)
 {
-  if (!isWellFormed(reference) || !isWellFormed(current)) return 0;
-  const Eigen::Matrix2d R = T_ref_cur.rotation();
-  const Eigen::Vector2d t_m = T_ref_cur.translation();
-  int returns = 0, seen = 0;
-  for (int ray = 0; ray < current.grid.count(); ray += kStride)
-  {
-    if (!isReturn(current, ray)) continue;
-    const double range_m = current.range_m[static_cast<std::size_t>(ray)];
-    ++returns;
-    seen += isSeen(reference, R * (range_m * current.grid.direction(ray)) + t_m) ? 1 : 0;
-  }
-  return returns > 0 ? static_cast<double>(seen) / returns : 0;
+  constexpr int kStride = 4;
+  return Overlap(reference, current, kStride).at(T_ref_cur);
 }
 }  // namespace psmks

@@ -26,7 +26,7 @@ bool PoseJudge::isHeldByLines(const RefinedPose& pose) const
 
 bool PoseJudge::isPositionFixed(const RefinedPose& pose) const
 {
-  return pose.observability.weakSigma_m <= match_.options.weakDirectionSigma_m;
+  return pose.observability.weakSigma_m <= match_.weakDirectionSigma_m();
 }
 
 bool PoseJudge::isWeaklyHeld(const RefinedPose& pose) const

@@ -110,7 +110,7 @@ Drift ReferencePolicy::driftAfter(double way_m) const
 bool ReferencePolicy::mayBeNear(const Pose2& T_keyframe_cur, const Drift& drift) const
 {
   constexpr double kKnown_m = 0.3;  // what overlap() forgives
-  constexpr double kLost_m = 10;    // a search has to end somewhere
+  constexpr double kLost_m = 6;     // a search has to end somewhere
   const double reach_m = options_.mapSpacing_m + drift.displacement_m;
   const double reach_rad = options_.mapSpacing_rad + drift.rotation_rad;
   return drift.displacement_m > kKnown_m && drift.displacement_m < kLost_m &&

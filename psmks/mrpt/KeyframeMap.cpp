@@ -29,6 +29,19 @@ Eigen::Matrix3d informationOf(const ReferenceMatch& link)
   return covariance.inverse();
 }
 
+/** An old keyframe that may be near, if the way since has drifted. */
+struct Lost
+{
+  std::size_t keyframe;
+  Pose2 expected_T_keyframe_cur;
+  Drift drift;
+
+  double remoteness() const { return expected_T_keyframe_cur.translation().norm(); }
+};
+
+// So many are looked for at most: a search takes about as long as a match.
+constexpr std::size_t kMostSearched = 8;
+
 Pose2 seenFrom(const PosedScan& keyframe, const PosedScan& current)
 {
   return keyframe.T_world_robot.pose.inverse() * current.T_world_robot.pose;
@@ -59,21 +72,30 @@ std::vector<KeyframeMap::View> KeyframeMap::remembered(const std::vector<PosedSc
   const auto start = nodeOf(reference);
   if (!start) return {};
   const std::vector<double> distances_m = graphDistances_m(graph_, *start);
-  std::vector<std::pair<double, View>> found;
+  std::vector<Lost> lost;
   for (const Keyframe& keyframe : keyframes_)
   {
-    const PosedScan& old = scans[keyframe.scan];
-    const Pose2 expected = seenFrom(old, current);
+    const Pose2 expected = seenFrom(scans[keyframe.scan], current);
     const Drift drift = policy_.driftAfter(distances_m[keyframe.node]);
-    if (!policy_.mayBeNear(expected, drift)) continue;
-    const SharedPlace place = findSharedPlace(old, current, expected, drift);
+    if (policy_.mayBeNear(expected, drift)) lost.push_back({keyframe.scan, expected, drift});
+  }
+  const std::size_t searched = std::min(kMostSearched, lost.size());
+  std::partial_sort(lost.begin(), lost.begin() + static_cast<std::ptrdiff_t>(searched), lost.end(),
+                    [](const Lost& a, const Lost& b) { return a.remoteness() < b.remoteness(); });
+  lost.resize(searched);
+
+  std::vector<std::pair<double, View>> found;
+  for (const Lost& old : lost)
+  {
+    const SharedPlace place =
+        findSharedPlace(scans[old.keyframe], current, old.expected_T_keyframe_cur, old.drift);
     if (policy_.isEnough(place.overlap))
-      found.push_back({-place.overlap, {keyframe.scan, place.T_ref_cur}});
+      found.push_back({place.overlap, {old.keyframe, place.T_ref_cur}});
   }
   std::sort(found.begin(), found.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
+            [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<View> views;
-  for (const auto& [rank, view] : found) views.push_back(view);
+  for (const auto& [share, view] : found) views.push_back(view);
   return views;
 }
 

@@ -2,6 +2,7 @@
 #include <psmks/core/Overlap.h>
 #include <psmks/mrpt/PlaceSearch.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace psmks
@@ -12,6 +13,13 @@ namespace
 constexpr double kStep_m = 0.4;
 constexpr double kStep_rad = degToRad(4);
 
+/** Every so many rays of a scan tell enough of where it may be. */
+int strideOf(const Scan& scan)
+{
+  constexpr int kRays = 40;
+  return std::max(1, scan.grid.count() / kRays);
+}
+
 int stepsWithin(double reach, double step) { return static_cast<int>(std::ceil(reach / step)); }
 }  // namespace
 
@@ -19,6 +27,7 @@ SharedPlace findSharedPlace(const PosedScan& reference, const PosedScan& current
                             const Pose2& expected_T_ref_cur, const Drift& drift)
 {
   const Pose2 T_sensor_robot = reference.T_robot_sensor.inverse();
+  const Overlap overlap(reference.scan, current.scan, strideOf(current.scan));
   SharedPlace best{expected_T_ref_cur, 0};
   const int moves = stepsWithin(drift.displacement_m, kStep_m);
   const int turns = stepsWithin(drift.rotation_rad, kStep_rad);
@@ -30,8 +39,7 @@ SharedPlace findSharedPlace(const PosedScan& reference, const PosedScan& current
         const Pose2 T_ref_cur{expected_T_ref_cur.x_m + kStep_m * x,
                               expected_T_ref_cur.y_m + kStep_m * y,
                               wrapAngle(expected_T_ref_cur.phi_rad + kStep_rad * turn)};
-        const double share = overlap(reference.scan, current.scan,
-                                     T_sensor_robot * T_ref_cur * current.T_robot_sensor);
+        const double share = overlap.at(T_sensor_robot * T_ref_cur * current.T_robot_sensor);
         if (share > best.overlap) best = {T_ref_cur, share};
       }
   return best;
