@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-convert/ConvertLog.h>
 #include <apps/psmks-convert/LogSink.h>
+#include <apps/support/LogScan.h>
 #include <apps/support/Progress.h>
 #include <psmks/mrpt/OpenLog.h>
 
@@ -10,14 +11,6 @@ namespace psmks
 {
 namespace
 {
-std::string sensorsOf(const LogReader& reader)
-{
-  std::string text;
-  for (const auto& [label, scans] : reader.scansOfSensors())
-    text += (text.empty() ? "'" : ", '") + label + "' (" + std::to_string(scans) + " scans)";
-  return text;
-}
-
 void complain(const std::string& input, const std::string& sentence)
 {
   std::cerr << "psmks-convert: '" << input << "': " << sentence << '\n';
@@ -30,7 +23,7 @@ void complain(const std::string& input, const std::string& sentence)
   for (const auto& remark : reader.remarks()) complain(input, remark);
   if (!reader.damage().empty())
     throw ProgramError(kInputDamaged, "'" + input + "': " + reader.damage());
-  const std::string others = sensorsOf(reader);
+  const std::string others = quotedSensors(reader);
   throw ProgramError(kNothingToDo, others.empty()
                                        ? "'" + input + "' holds no 2D laser scan"
                                        : "'" + input + "' holds no scan of the sensor '" +
@@ -44,7 +37,7 @@ void report(const std::string& input, const LogReader& reader)
     complain(input, std::to_string(reader.stampsMadeUp()) +
                         " scans without a stamp got one, 0.1 s after the scan before");
   if (reader.scansOfSensors().size() > 1)
-    complain(input, "took the scanner '" + *reader.sensorLabel() + "' of " + sensorsOf(reader));
+    complain(input, "took the scanner '" + *reader.sensorLabel() + "' of " + quotedSensors(reader));
 }
 }  // namespace
 

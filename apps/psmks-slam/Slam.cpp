@@ -50,14 +50,6 @@ std::unique_ptr<PairMatcher> makeMatcher(const CommandLine& commandLine, const S
   return makePairMatcher(isOdometryAlone(commandLine) ? "guess" : commandLine.matcher,
                          options.matching.matcher);
 }
-
-std::string quotedSensors(const LogReader& reader)
-{
-  std::string text;
-  for (const auto& [label, scans] : reader.scansOfSensors())
-    text += (text.empty() ? "'" : ", '") + label + "' (" + std::to_string(scans) + " scans)";
-  return text;
-}
 }  // namespace
 
 Slam::Slam(const CommandLine& commandLine, const SlamOptions& options)

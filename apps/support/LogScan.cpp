@@ -1,5 +1,4 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/support/ExitCode.h>
 #include <apps/support/LogScan.h>
 #include <psmks/core/Preprocessing.h>
 #include <psmks/core/Sweep.h>
@@ -30,16 +29,11 @@ bool hasReturns(const Scan& scan)
   return cleaned.hasValidRay();
 }
 
-void refuseCarmen(const std::string& path)
+std::string quotedSensors(const LogReader& reader)
 {
-  const std::string name = path.substr(0, path.rfind(".gz"));
-  for (const char* ending : {".log", ".clf"})
-  {
-    const auto at = name.rfind(ending);
-    if (at != std::string::npos && at + 4 == name.size())
-      throw ProgramError(kUsage, "'" + path +
-                                     "' is a CARMEN log by its name, but only MRPT rawlogs "
-                                     "are read");
-  }
+  std::string text;
+  for (const auto& [label, scans] : reader.scansOfSensors())
+    text += (text.empty() ? "'" : ", '") + label + "' (" + std::to_string(scans) + " scans)";
+  return text;
 }
 }  // namespace psmks

@@ -3,7 +3,7 @@
 
 #include <psmks/core/Scan.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/RawlogReader.h>
+#include <psmks/mrpt/LogReader.h>
 #include <psmks/mrpt/ScanMatcherOptions.h>
 
 #include <optional>
@@ -27,6 +27,6 @@ LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter,
 /** Whether any ray of the scan met anything. */
 bool hasReturns(const Scan& scan);
 
-/** @throws ProgramError (kUsage) for what is a CARMEN log by its name */
-void refuseCarmen(const std::string& path);
+/** The scanners that were met so far, for people: "'FRONT' (12 scans), 'REAR' (3 scans)". */
+std::string quotedSensors(const LogReader& reader);
 }  // namespace psmks

@@ -5,6 +5,7 @@
 #include <psmks/mrpt/RawlogReader.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Program.h>
+#include <tests/unit/mrpt/CarmenText.h>
 #include <tests/unit/mrpt/RoomLog.h>
 
 #include <algorithm>
@@ -80,6 +81,44 @@ TEST_F(PsmksSlam, bothKindsOfRawlogAndBothWaysToStoreThemGiveTheTruePath)
     ASSERT_EQ(run.exitCode, 0) << run.errors;
     expectTruePath(2e-3, degToRad(0.05));
   }
+}
+
+TEST_F(PsmksSlam, aCarmenLogGivesTheTruePathToo)
+{
+  for (const char* name : {"room.log", "room.clf.gz"})
+  {
+    writeCarmen(log_, path(name));
+    const ProgramRun run = slam(name, "--save-rawlog matched.rawlog");
+    ASSERT_EQ(run.exitCode, 0) << run.errors;
+    EXPECT_EQ(run.errors, "");
+    expectTruePath(2e-3, degToRad(0.05));
+    EXPECT_EQ(summary()["log"]["sensor"], "ROBOTLASER1");
+  }
+  EXPECT_EQ(slam("matched.rawlog", "--matcher odometry").exitCode, 0);
+  expectTruePath(2e-3, degToRad(0.05));
+  EXPECT_EQ(run("room.clf.gz").exitCode, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("room-slam/summary.json")));
+}
+
+TEST_F(PsmksSlam, whatALogHoldsOfOddThingsIsToldAndWrittenDown)
+{
+  writeCarmen(log_, path("room.log"));
+  std::ofstream(path("room.log"), std::ios::app) << "FLASER 3 1 2\n";
+  const ProgramRun run = slam("room.log");
+  EXPECT_EQ(run.exitCode, 0);
+  expectOneSentence(run);
+  EXPECT_NE(run.errors.find("1 malformed message skipped, in line 10"), std::string::npos)
+      << run.errors;
+  EXPECT_EQ(summary()["remarks"], json({"1 malformed message skipped, in line 10"}));
+}
+
+TEST_F(PsmksSlam, theSummarySaysHowFastItWasAndWhereTheTimeWent)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  EXPECT_NE(slam("room.rawlog").output.find(" scans/s"), std::string::npos);
+  EXPECT_GT(summary()["scans_per_second"], 0);
+  for (const char* stage : {"reading", "segmentation", "matching", "map", "output"})
+    EXPECT_GE(summary()["time_s"][stage], 0) << stage;
 }
 
 TEST_F(PsmksSlam, writesAllItsFilesAndASummary)

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <psmks/core/Pose2.h>
+#include <psmks/mrpt/CarmenWriter.h>
+#include <tests/unit/mrpt/RoomLog.h>
 
 #include <iomanip>
 #include <sstream>
@@ -45,5 +47,21 @@ inline std::string flaser(const std::vector<double>& ranges_m, const Pose2& odom
 inline std::string odom(const Pose2& odometry, double ipc_s)
 {
   return "ODOM" + carmenPose(odometry) + " 0.2 0 0" + carmenStamps(ipc_s, ipc_s);
+}
+
+/** The room's log as a CARMEN log. */
+inline void writeCarmen(const RoomLog& log, const std::string& path)
+{
+  CarmenWriter writer;
+  writer.open(path);
+  for (const auto& step : log.steps)
+  {
+    LaserFrame frame;
+    frame.scan = step.scan;
+    frame.stamp_s = step.stamp_s;
+    frame.odometry = step.odometryIncrement;
+    writer.write(frame);
+  }
+  writer.close();
 }
 }  // namespace psmks::test
