@@ -85,21 +85,14 @@ std::vector<Relation> shortRelations(const std::vector<Relation>& relations)
   return some;
 }
 
-PairErrorStatistics errorsOver(const std::vector<Relation>& relations, const Trajectory& estimate)
-{
-  std::vector<PairError> errors;
-  for (const RelationError& error : relationErrors(estimate, relations))
-    errors.push_back({error.error_m, error.error_rad});
-  return errorStatistics(errors, kJumpLimit);
-}
-
 void holdAgainstTruth(const Log& log, const std::vector<PosedScan>& scans, std::size_t drawn,
                       LogRun& run)
 {
   const Trajectory estimate = trajectoryOf(scans);
+  const RelationStatistics relations = relationStatistics(estimate, log.relations);
+  run.relations = relations.all;
+  run.shortRelations = relations.shortSpans;
   const std::vector<Relation> some = shortRelations(log.relations);
-  run.relations = errorsOver(log.relations, estimate);
-  run.shortRelations = errorsOver(some, estimate);
   if (!log.groundTruth && some.empty()) return;
 
   const MatchedPath matched(scans);

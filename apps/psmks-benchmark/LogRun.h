@@ -5,7 +5,7 @@
 #include <apps/psmks-benchmark/report/LogsPage.h>
 #include <apps/support/SlamOptions.h>
 #include <apps/support/Summary.h>
-#include <psmks/eval/ErrorStatistics.h>
+#include <psmks/eval/RelationStatistics.h>
 #include <psmks/eval/Table.h>
 
 #include <limits>
@@ -15,9 +15,6 @@
 
 namespace psmks
 {
-/** Relations over less time tell of single matches, others of drift. */
-constexpr double kShortSpan_s = 5;
-
 /** What a matcher made of a log with one choice of reference scans. */
 struct LogRun
 {

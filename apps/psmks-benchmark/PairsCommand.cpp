@@ -96,9 +96,9 @@ void PairsCommand::match(const PairsInput& input)
   result.title = input.title;
   result.pairs = input.pairs;
   result.hasMovingObjects = input.hasMovingObjects;
-  const double sigma_m = rangeSigma_m_ > 0 ? rangeSigma_m_ : input.rangeSigma_m;
+  const RangeNoise noise = rangeSigma_m_ > 0 ? RangeNoise{rangeSigma_m_} : input.rangeNoise;
   for (const ScanPair& pair : input.pairs)
-    result.bounds.push_back(pairBound(pair.reference, pair.current, pair.T_ref_cur_true, sigma_m));
+    result.bounds.push_back(pairBound(pair.reference, pair.current, pair.T_ref_cur_true, noise));
   {
     Progress progress(input.title);
     result.runs = runPairs(input.pairs, guesses(input.pairs), options_,

@@ -15,7 +15,7 @@ constexpr const char* kExtension = ".pairs";
 
 void describe(PairsInput& input, const PairFamily& family)
 {
-  input.rangeSigma_m = family.rangeSigma_m();
+  input.rangeNoise = family.rangeNoise();
   input.hasMovingObjects = family.people > 0;
 }
 

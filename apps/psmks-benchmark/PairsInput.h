@@ -16,7 +16,7 @@ struct PairsInput
   std::string title;  //!< the file's name without folder and extensions, or that of the set
   PairsHeader header;
   std::vector<ScanPair> pairs;
-  double rangeSigma_m = 0.01;
+  RangeNoise rangeNoise{0.01};
   bool hasMovingObjects = false;
   bool isDamaged = false;  //!< a file that was missing or broken; the pairs before are there
 };

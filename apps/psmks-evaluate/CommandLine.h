@@ -3,7 +3,7 @@
 
 #include <apps/support/TableFiles.h>
 #include <psmks/core/Angle.h>
-#include <psmks/eval/PairError.h>
+#include <psmks/eval/RelationStatistics.h>
 
 #include <optional>
 #include <string>
@@ -21,7 +21,7 @@ struct CommandLine
   std::size_t skippedPoses = 0;  //!< of those that have a true one, from the first on
   PairError limit{0.15, degToRad(2)};
   std::vector<double> driftLengths_m{1, 10};
-  double shortSpan_s = 5;
+  double shortSpan_s = kShortSpan_s;
 
   std::string plot;  //!< empty: no picture
   TableFiles files;

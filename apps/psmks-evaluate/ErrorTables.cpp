@@ -3,6 +3,7 @@
 #include <psmks/core/Angle.h>
 #include <psmks/eval/ErrorStatistics.h>
 #include <psmks/eval/PathErrors.h>
+#include <psmks/eval/RelationStatistics.h>
 
 #include <functional>
 #include <limits>
@@ -100,16 +101,10 @@ class TablesOf
   Squares squares_;
 };
 
-/** Errors of the relations that span a time from min_s up to, but not including, end_s. */
 Measure relationsSpanning(double min_s, double end_s)
 {
   return [=](const Comparison& comparison)
-  {
-    std::vector<PairError> errors;
-    for (const auto& [span_s, error_m, error_rad] : comparison.relations)
-      if (span_s >= min_s && span_s < end_s) errors.push_back({error_m, error_rad});
-    return errors;
-  };
+  { return errorsSpanning(comparison.relations, min_s, end_s); };
 }
 
 std::vector<Table> poseTables(const std::vector<Comparison>& comparisons, const CommandLine& c)

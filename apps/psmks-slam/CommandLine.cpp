@@ -50,6 +50,9 @@ void addFlags(CLI::App& app, CommandLine& c)
   app.add_option("--ground-truth", c.groundTruth,
                  "true trajectory: TUM, or lines of 'time x y phi'")
       ->type_name("FILE");
+  app.add_option("--relations", c.relations,
+                 "true motions: lines of 'from_s to_s x y z roll pitch yaw'")
+      ->type_name("FILE");
   app.add_option("--save-rawlog", c.rawlog, "the log with matched motions in place of odometry")
       ->type_name("FILE");
   app.add_option("--max-scans", c.maxScans, "stop after so many scans")

@@ -20,6 +20,7 @@ struct CommandLine
   LogFlags logFlags;
   std::string output;
   std::string groundTruth;
+  std::string relations;
   std::string rawlog;
   std::vector<std::string> assignments;  //!< "stage.key=value"
   int maxScans = 0;                      //!< 0: all

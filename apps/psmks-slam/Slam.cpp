@@ -43,6 +43,12 @@ std::optional<Trajectory> groundTruthOf(const CommandLine& commandLine)
   return readGroundTruth(commandLine.groundTruth);
 }
 
+std::vector<Relation> relationsOf(const CommandLine& commandLine)
+{
+  if (commandLine.relations.empty()) return {};
+  return readTrueRelations(commandLine.relations);
+}
+
 bool isOdometryAlone(const CommandLine& commandLine) { return commandLine.matcher == "odometry"; }
 
 std::unique_ptr<PairMatcher> makeMatcher(const CommandLine& commandLine, const SlamOptions& options)
@@ -56,6 +62,7 @@ Slam::Slam(const CommandLine& commandLine, const SlamOptions& options)
     : commandLine_(checked(commandLine)),
       options_(options),
       groundTruth_(groundTruthOf(commandLine)),
+      relations_(relationsOf(commandLine)),
       output_(outputPath(commandLine), commandLine.overwrite),
       reader_(openLog(commandLine.log, commandLine.logFlags.options())),
       builder_(makeMatcher(commandLine, options), options.reference, options.odometry)
@@ -76,12 +83,14 @@ ExitCode Slam::run()
   printSummary(std::cout, summary);
   std::cout << "map              " << output_.file("map.png") << '\n';
   if (commandLine_.view) showMap(makeScanMap(builder_.scans(), options_.matching.matcher));
-  return verdict(summary.trajectory);
+  return verdict(summary);
 }
 
 RunSummary Slam::writeResults()
 {
-  RunSummary summary{trajectorySummary(), reader_->remarks(), {}};
+  RunSummary summary{trajectorySummary(), std::nullopt, reader_->remarks(), {}};
+  if (!relations_.empty())
+    summary.relations = relationStatistics(trajectoryOf(builder_.scans()), relations_);
   const ScanMap map = makeScanMap(builder_.scans(), options_.matching.matcher);
   output_.write(builder_.scans(), map, simpleMap(), commandLine_.matcher);
   times_.output_s += watch_.lap_s();
@@ -205,8 +214,9 @@ Summary Slam::trajectorySummary() const
   return result;
 }
 
-ExitCode Slam::verdict(const Summary& result) const
+ExitCode Slam::verdict(const RunSummary& run) const
 {
+  const Summary& result = run.trajectory;
   if (!reader_->damage().empty())
   {
     std::cerr << "psmks-slam: '" << commandLine_.log << "': " << reader_->damage() << '\n';
@@ -216,6 +226,12 @@ ExitCode Slam::verdict(const Summary& result) const
   {
     std::cerr << "psmks-slam: ground truth '" << commandLine_.groundTruth
               << "' has no pose at the time of a scan\n";
+    return kInputDamaged;
+  }
+  if (run.relations && run.relations->all.count == 0)
+  {
+    std::cerr << "psmks-slam: none of the relations '" << commandLine_.relations
+              << "' is between two scans\n";
     return kInputDamaged;
   }
   if (result.matches > 0 && result.failures() == result.matches)

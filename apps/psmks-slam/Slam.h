@@ -7,6 +7,7 @@
 #include <apps/support/LogScan.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <psmks/core/Stopwatch.h>
+#include <psmks/eval/Relations.h>
 #include <psmks/mrpt/MapFiles.h>
 #include <psmks/mrpt/OpenLog.h>
 #include <psmks/mrpt/TrajectoryBuilder.h>
@@ -39,11 +40,12 @@ class Slam
   RunSummary writeResults();
   void divideBuildingTime();
   void requireScans() const;
-  ExitCode verdict(const Summary& summary) const;
+  ExitCode verdict(const RunSummary& summary) const;
 
   CommandLine commandLine_;
   SlamOptions options_;
   std::optional<Trajectory> groundTruth_;
+  std::vector<Relation> relations_;  //!< empty where none were given
   OutputFolder output_;
   Stopwatch watch_;
   std::unique_ptr<LogReader> reader_;

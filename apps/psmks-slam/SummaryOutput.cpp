@@ -44,6 +44,15 @@ Json errorJson(const TrajectoryError& e)
           {"max_deg", numberOrNull(radToDeg(e.max_rad))}};
 }
 
+Json relationsJson(const PairErrorStatistics& s)
+{
+  return {{"relations", s.count},
+          {"mean_m", numberOrNull(s.translation_m.mean)},
+          {"std_m", numberOrNull(s.translation_m.std)},
+          {"mean_deg", numberOrNull(radToDeg(s.rotation_rad.mean))},
+          {"std_deg", numberOrNull(radToDeg(s.rotation_rad.std))}};
+}
+
 Json timesJson(const RunTimes& times)
 {
   return {{"reading", times.reading_s},
@@ -62,6 +71,22 @@ Json logJson(const LogSummary& log)
           {"scans_without_odometry", log.scansWithoutOdometry},
           {"stamps_made_up", log.stampsMadeUp}};
 }
+
+void printErrors(std::ostream& out, const TrajectoryError& e)
+{
+  out << "position error   mean " << e.mean_m << " m, rms " << e.rms_m << " m, max " << e.max_m
+      << " m at " << e.poses << " poses\n";
+  out << "heading error    mean " << radToDeg(e.mean_rad) << " deg, rms " << radToDeg(e.rms_rad)
+      << " deg, max " << radToDeg(e.max_rad) << " deg\n";
+}
+
+void printErrors(std::ostream& out, const std::string& heading, const PairErrorStatistics& s)
+{
+  out << heading << std::setprecision(4) << s.translation_m.mean << " +- " << s.translation_m.std
+      << " m, " << std::setprecision(3) << radToDeg(s.rotation_rad.mean) << " +- "
+      << radToDeg(s.rotation_rad.std) << " deg over " << s.count << '\n';
+}
+
 void printTimes(std::ostream& out, const RunSummary& run)
 {
   constexpr double kPercent = 100;
@@ -97,11 +122,10 @@ void printSummary(std::ostream& out, const RunSummary& run)
         << kMsPerSecond * s.segmentationMedian_s << " ms\n";
   printTimes(out, run);
   out << "occupied cells   " << s.occupiedCells << " of 5 cm\n";
-  if (!s.error) return;
-  out << "position error   mean " << s.error->mean_m << " m, rms " << s.error->rms_m << " m, max "
-      << s.error->max_m << " m at " << s.error->poses << " poses\n";
-  out << "heading error    mean " << radToDeg(s.error->mean_rad) << " deg, rms "
-      << radToDeg(s.error->rms_rad) << " deg, max " << radToDeg(s.error->max_rad) << " deg\n";
+  if (s.error) printErrors(out, *s.error);
+  if (!run.relations) return;
+  printErrors(out, "relations        ", run.relations->all);
+  printErrors(out, "  spanning < 5 s ", run.relations->shortSpans);
 }
 
 void writeSummaryJson(std::ostream& out, const RunSummary& run, SlamOptions& options)
@@ -125,6 +149,9 @@ void writeSummaryJson(std::ostream& out, const RunSummary& run, SlamOptions& opt
             {"time_s", timesJson(run.times)},
             {"occupied_cells_5cm", s.occupiedCells}};
   if (s.error) json["ground_truth_error"] = errorJson(*s.error);
+  if (run.relations)
+    json["relations_error"] = {{"all", relationsJson(run.relations->all)},
+                               {"spanning_below_5s", relationsJson(run.relations->shortSpans)}};
   json["options"] = optionsJson(options);
   json["versions"] = {{"psmks", PSMKS_VERSION}, {"mrpt", mrpt::system::MRPT_getVersion()}};
   out << json.dump(2) << '\n';

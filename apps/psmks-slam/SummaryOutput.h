@@ -4,8 +4,10 @@
 #include <apps/psmks-slam/RunTimes.h>
 #include <apps/support/SlamOptions.h>
 #include <apps/support/Summary.h>
+#include <psmks/eval/RelationStatistics.h>
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,8 @@ namespace psmks
 struct RunSummary
 {
   Summary trajectory;
-  std::vector<std::string> remarks;  //!< on the log, see LogReader
+  std::optional<RelationStatistics> relations;  //!< errors, where relations were given
+  std::vector<std::string> remarks;             //!< on the log, see LogReader
   RunTimes times;
 
   double scansPerSecond() const;

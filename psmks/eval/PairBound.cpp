@@ -28,11 +28,12 @@ struct TruthView
   std::vector<int> circleOfRay;
   std::vector<Segment> shortLines;
 
-  TruthView(Scan raw, const Pose2& T_ref_scan_true, double rangeSigma_m)
+  TruthView(Scan raw, const Pose2& T_ref_scan_true, const RangeNoise& noise)
       : T_ref_scan(T_ref_scan_true)
   {
-    raw.rangeSigma_m = rangeSigma_m;
+    raw.rangeSigma_m = noise.sigma_m;
     SegmentationOptions options;
+    options.rangeSigmaPerMetre_m = noise.sigmaPerMetre_m;
     options.estimateRangeSigma = false;
     SegmentationBuffers buffers;
     segmentScan(raw, {}, options, buffers, scan);
@@ -52,17 +53,19 @@ void addRays(const TruthView& view, bool isCurrent, const SharedLines& lines,
              std::vector<SurfaceSums>& walls)
 {
   const Eigen::Matrix2d R_ref_scan = view.T_ref_scan.rotation();
+  const RangeNoise& noise = view.scan.rangeNoise;
   for (int ray = 0; ray < view.scan.rays(); ++ray)
   {
     if (!view.scan.isValid(ray)) continue;
     const Eigen::Vector2d direction = R_ref_scan * view.scan.grid.direction(ray);
     const double range_m = view.scan.range_m[static_cast<std::size_t>(ray)];
     const Eigen::Vector2d end_m = view.T_ref_scan.translation() + range_m * direction;
-    const SharedLines::Piece* piece = lines.pieceAt(direction, end_m, view.scan.rangeNoise.sigma_m);
+    const SharedLines::Piece* piece = lines.pieceAt(direction, end_m, noise.sigmaAt_m(range_m));
     if (piece == nullptr) continue;
     const AnchoredLine& wall = lines.pieces()[piece->wall].line;
-    walls[piece->wall].add({view.T_ref_scan.translation(), direction, range_m, 0, isCurrent},
-                           SurfaceContact::onLine(wall.normal, wall.anchor_m, end_m));
+    walls[piece->wall].add(
+        {view.T_ref_scan.translation(), direction, range_m, 0, isCurrent, noise.weightAt(range_m)},
+        SurfaceContact::onLine(wall.normal, wall.anchor_m, end_m));
   }
 }
 
@@ -152,10 +155,10 @@ class ErrorDraws
 }  // namespace
 
 PairBound pairBound(const Scan& reference, const Scan& current, const Pose2& T_ref_cur_true,
-                    double rangeSigma_m)
+                    const RangeNoise& noise)
 {
-  const TruthView ref(reference, Pose2{}, rangeSigma_m);
-  const TruthView cur(current, T_ref_cur_true, rangeSigma_m);
+  const TruthView ref(reference, Pose2{}, noise);
+  const TruthView cur(current, T_ref_cur_true, noise);
   return {lineInformation(ref, cur) + circleInformation(ref, cur)};
 }
 

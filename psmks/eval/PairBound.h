@@ -2,6 +2,7 @@
 #pragma once
 
 #include <psmks/core/Pose2.h>
+#include <psmks/core/RangeNoise.h>
 #include <psmks/core/Scan.h>
 #include <psmks/eval/PairError.h>
 
@@ -26,9 +27,9 @@ struct PairBound
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
-/** @param rangeSigma_m noise of a range, > 0 */
+/** @param noise of the ranges, known and > 0 */
 PairBound pairBound(const Scan& reference, const Scan& current, const Pose2& T_ref_cur_true,
-                    double rangeSigma_m);
+                    const RangeNoise& noise);
 
 /** Errors of a matcher that reaches the bound of every pair: normal ones drawn with the covariance
  * of each bound, several a pair, the same for the same bounds. Infinite where a pair leaves them

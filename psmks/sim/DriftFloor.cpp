@@ -58,7 +58,7 @@ DriftFloor::DriftFloor(const World& world, const Recording& recording,
     : world_(world),
       recording_(recording),
       robot_(simulation.robot),
-      rangeSigma_m_(simulation.laser.rangeSigma_m),
+      noise_(simulation.laser.rangeNoise()),
       scanPeriod_s_(simulation.scanPeriod_s)
 {
 }
@@ -96,8 +96,8 @@ PoseLink DriftFloor::matched(std::size_t reference, std::size_t current) const
   const RecordedScan& ref = recording_.scans[reference];
   const RecordedScan& cur = recording_.scans[current];
   const Pose2 truth = ref.T_world_robot.inverse() * cur.T_world_robot;
-  const PoseBound bound = poseBound(world_, ref.T_world_robot, ref.simulated, cur.T_world_robot,
-                                    cur.simulated, rangeSigma_m_);
+  const PoseBound bound =
+      poseBound(world_, ref.T_world_robot, ref.simulated, cur.T_world_robot, cur.simulated, noise_);
   const Eigen::Matrix3d covariance = wheelCovariance(reference, current);
   const Eigen::Vector3d error =
       mostLikelyError(bound, difference(measuredMotion(reference, current), truth), covariance);
@@ -108,8 +108,8 @@ PoseLink DriftFloor::linked(std::size_t reference, std::size_t current) const
 {
   const RecordedScan& ref = recording_.scans[reference];
   const RecordedScan& cur = recording_.scans[current];
-  const PoseBound bound = poseBound(world_, ref.T_world_robot, ref.simulated, cur.T_world_robot,
-                                    cur.simulated, rangeSigma_m_);
+  const PoseBound bound =
+      poseBound(world_, ref.T_world_robot, ref.simulated, cur.T_world_robot, cur.simulated, noise_);
   // A metre and a radian: a direction that the scans leave open says nothing.
   const Eigen::Vector3d error =
       mostLikelyError(bound, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity());

@@ -50,7 +50,7 @@ class DriftFloor
   const World& world_;
   const Recording& recording_;
   RobotOptions robot_;
-  double rangeSigma_m_;
+  RangeNoise noise_;
   double scanPeriod_s_;
 };
 }  // namespace psmks

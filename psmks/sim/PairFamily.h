@@ -22,7 +22,6 @@ struct PairFamily
 
   /** Of a range, rounding to the quantum included. */
   RangeNoise rangeNoise() const;
-  double rangeSigma_m() const { return rangeNoise().sigma_m; }
 };
 
 /** All of them: the plain ones, then the harder ones.

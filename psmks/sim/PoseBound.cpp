@@ -52,9 +52,9 @@ class ObjectsFromReference
 class BoundSums
 {
  public:
-  BoundSums(const World& world, const Pose2& T_world_ref, double rangeSigma_m)
+  BoundSums(const World& world, const Pose2& T_world_ref, const RangeNoise& noise)
       : objects_(world, T_world_ref),
-        rangeSigma_m_(rangeSigma_m),
+        noise_(noise),
         slotOfObject_(static_cast<std::size_t>(objects_.count()), kNoSlot)
   {
   }
@@ -70,17 +70,17 @@ class BoundSums
   {
     PoseSums total;
     for (const SurfaceSums& object : sums_) object.addTo(total);
-    const double information = 1 / (rangeSigma_m_ * rangeSigma_m_);
+    const double information = 1 / noise_.varianceAt_m2(0);
     return {information * total.information, information * total.pull};
   }
 
  private:
   static constexpr int kNoSlot = -1;
 
-  bool counts(int object, double noise_m) const
+  bool counts(int object, double range_m, double noise_m) const
   {
     return object >= 0 && object < objects_.count() &&
-           std::abs(noise_m) <= kOutlierSigmas * rangeSigma_m_;
+           std::abs(noise_m) <= kOutlierSigmas * noise_.sigmaAt_m(range_m);
   }
 
   void addScan(const SimulatedScan& scan, const Pose2& T_ref_scan, bool isCurrent)
@@ -88,10 +88,14 @@ class BoundSums
     const Eigen::Matrix2d R_ref_scan = T_ref_scan.rotation();
     for (std::size_t i = 0; i < scan.objectOfRay.size(); ++i)
     {
-      if (!counts(scan.objectOfRay[i], scan.noise_m[i])) continue;
+      const double range_m = scan.scan.range_m[i] - scan.noise_m[i];
+      if (!counts(scan.objectOfRay[i], range_m, scan.noise_m[i])) continue;
       const SurfaceRay ray{T_ref_scan.translation(),
                            R_ref_scan * scan.scan.grid.direction(static_cast<int>(i)),
-                           scan.scan.range_m[i] - scan.noise_m[i], scan.noise_m[i], isCurrent};
+                           range_m,
+                           scan.noise_m[i],
+                           isCurrent,
+                           noise_.weightAt(range_m)};
       const Eigen::Vector2d end_m = ray.origin_m + ray.range_m * ray.direction;
       sumsOf(scan.objectOfRay[i]).add(ray, objects_.contact(scan.objectOfRay[i], end_m));
     }
@@ -109,16 +113,16 @@ class BoundSums
   }
 
   ObjectsFromReference objects_;
-  double rangeSigma_m_;
+  RangeNoise noise_;
   std::vector<int> slotOfObject_;
   std::vector<SurfaceSums> sums_;
 };
 }  // namespace
 
 PoseBound poseBound(const World& world, const Pose2& T_world_ref, const SimulatedScan& reference,
-                    const Pose2& T_world_cur, const SimulatedScan& current, double rangeSigma_m)
+                    const Pose2& T_world_cur, const SimulatedScan& current, const RangeNoise& noise)
 {
-  BoundSums sums(world, T_world_ref, rangeSigma_m);
+  BoundSums sums(world, T_world_ref, noise);
   sums.addReference(reference);
   sums.addCurrent(current, T_world_ref.inverse() * T_world_cur);
   return sums.bound();

@@ -31,10 +31,11 @@ struct PoseBound
  *
  * Walls count as lines from 3 rays of both scans together, circles from 4, if each scan has at
  * least one of them; moving objects and lone points do not count. Neither do rays that are off by
- * more than 6 rangeSigma_m (mixed pixels).
- *  @param rangeSigma_m > 0 */
+ * more than 6 sigma (mixed pixels).
+ *  @param noise of the ranges, > 0 */
 PoseBound poseBound(const World& world, const Pose2& T_world_ref, const SimulatedScan& reference,
-                    const Pose2& T_world_cur, const SimulatedScan& current, double rangeSigma_m);
+                    const Pose2& T_world_cur, const SimulatedScan& current,
+                    const RangeNoise& noise);
 
 /** The error of the maximum likelihood estimate on these very scans, with a motion measured by the
  * wheels as a prior.

@@ -21,14 +21,14 @@ double positionSigma_m(const Eigen::Matrix3d& information)
 std::vector<double> sigmaRatios(const std::string& family, int pairs)
 {
   const PairSet set = makePairSet(pairFamily(family), 1, pairs);
-  const double sigma_m = set.family.rangeSigma_m();
+  const RangeNoise noise = set.family.rangeNoise();
   std::vector<double> ratios;
   for (const SimulatedPair& pair : set.pairs)
   {
     const PairBound alone =
-        pairBound(pair.reference.scan, pair.current.scan, pair.T_ref_cur_true, sigma_m);
+        pairBound(pair.reference.scan, pair.current.scan, pair.T_ref_cur_true, noise);
     const PoseBound withMap = poseBound(set.worlds[pair.world].world(), pair.T_world_ref,
-                                        pair.reference, pair.T_world_cur(), pair.current, sigma_m);
+                                        pair.reference, pair.T_world_cur(), pair.current, noise);
     ratios.push_back(positionSigma_m(alone.information) / positionSigma_m(withMap.information));
   }
   return ratios;
@@ -44,6 +44,13 @@ TEST(PairBoundOnGeneratedPairs, IsThatOfTheKnownWorld)
     EXPECT_GT(quantile(ratios, 0.05), 0.95) << family << ": it must not promise too much";
     EXPECT_LT(quantile(ratios, 0.95), 1.3) << family;
   }
+}
+
+TEST(PairBoundOnGeneratedPairs, NoiseThatGrowsIsCountedAsInTheKnownWorld)
+{
+  const std::vector<double> ratios = sigmaRatios("rplidar", 60);
+  EXPECT_NEAR(median(ratios), 1, 0.08);
+  EXPECT_GT(quantile(ratios, 0.05), 0.9);
 }
 
 TEST(PairBoundOnGeneratedPairs, PeopleAreNotTakenForWalls)

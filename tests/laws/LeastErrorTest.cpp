@@ -92,7 +92,7 @@ void compare(const ShortDrive& drive, DriveErrors& errors)
     const Pose2 truth = ref.T_world_robot.inverse() * current.T_world_robot;
     const PoseBound bound =
         poseBound(drive.site.world, ref.T_world_robot, ref.simulated, current.T_world_robot,
-                  current.simulated, drive.simulation.laser.rangeSigma_m);
+                  current.simulated, drive.simulation.laser.rangeNoise());
     const Eigen::Vector3d mostLikely =
         mostLikelyError(bound, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity());
     errors.position_m2.add((match.T_ref_cur.translation() - truth.translation()).squaredNorm(),

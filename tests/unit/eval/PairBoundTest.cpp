@@ -30,7 +30,7 @@ Scan scanOf(const std::vector<Wall>& walls, const Pose2& T_world_sensor)
 PairBound exactBound(const std::vector<Wall>& walls, double sigma_m = kSigma_m)
 {
   return pairBound(scanOf(walls, kReference), scanOf(walls, kReference * kMotion), kMotion,
-                   sigma_m);
+                   {sigma_m});
 }
 
 /** The pose between two scans from their maximum likelihood lines, which tell all that the rays
@@ -97,8 +97,8 @@ TEST(PairBound, OneWallSaysNothingAlongItself)
 TEST(PairBound, ScansWithoutAnythingInCommonSayNothing)
 {
   const Scan nothing = scanOf({}, kReference);
-  EXPECT_EQ(pairBound(nothing, scanOf(kCorner, kReference), {}, kSigma_m).information.norm(), 0);
-  EXPECT_EQ(pairBound(nothing, nothing, {}, kSigma_m).information.norm(), 0);
+  EXPECT_EQ(pairBound(nothing, scanOf(kCorner, kReference), {}, {kSigma_m}).information.norm(), 0);
+  EXPECT_EQ(pairBound(nothing, nothing, {}, {kSigma_m}).information.norm(), 0);
 }
 
 TEST(PairBound, InformationFallsWithTheSquareOfTheNoise)
@@ -119,7 +119,7 @@ TEST(PairBound, AWallThatOnlyOneScanSeesDoesNotCount)
   }();
   const Scan corner = scanOf(kCorner, kReference);
   const Scan boxed = scanOf(withBox, kReference * kMotion);
-  const Eigen::Matrix3d actual = pairBound(corner, boxed, kMotion, kSigma_m).information;
+  const Eigen::Matrix3d actual = pairBound(corner, boxed, kMotion, {kSigma_m}).information;
   EXPECT_LT(actual.trace(), exactBound(kCorner).information.trace());
   EXPECT_GT(actual.trace(), 0.3 * exactBound(kCorner).information.trace());
 }
@@ -140,7 +140,7 @@ TEST(PairBound, IsTheScatterOfTheMaximumLikelihoodEstimate)
     const Scan reference = noisy(kReference), current = noisy(kReference * kMotion);
     const Eigen::Vector3d error = regression(kCorner, reference, current).pose - truth;
     spread += error * error.transpose() / kDraws;
-    if (draw < 20) bounds.push_back(pairBound(reference, current, kMotion, kSigma_m));
+    if (draw < 20) bounds.push_back(pairBound(reference, current, kMotion, {kSigma_m}));
   }
   // spread * information is the identity but for the sampling: 1 / sqrt(draws / 2) = 6 %.
   for (const PairBound& bound : bounds)

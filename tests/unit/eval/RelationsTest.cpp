@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/core/Angle.h>
-#include <psmks/eval/Relations.h>
+#include <psmks/eval/RelationStatistics.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Says.h>
 #include <tests/support/ThrownText.h>
@@ -158,6 +158,23 @@ TEST_F(RelationsTest, ofPosesWithOneStampTheFirstCounts)
     }
     EXPECT_NEAR(largest_m(relationErrors(estimate, relations)), 0, 1e-12) << shift_s;
   }
+}
+
+TEST_F(RelationsTest, areToldApartByTheTimeTheySpan)
+{
+  const std::vector<RelationError> errors{{1, 0.1, 0}, {5, 0.2, 0}, {60, 0.4, 0}};
+  EXPECT_EQ(errorsSpanning(errors).size(), 3u);
+  EXPECT_EQ(errorsSpanning(errors, 0, 5).size(), 1u);
+  EXPECT_EQ(errorsSpanning(errors, 5).size(), 2u);
+
+  Trajectory estimate = kCorner;
+  estimate[3] = {20, {0, 1.5, kPi}};
+  const auto statistics =
+      relationStatistics(estimate, {{0, 1, {1, 0, kPi / 2}}, {0, 20, {0, 1, kPi}}});
+  EXPECT_EQ(statistics.all.count, 2u);
+  EXPECT_NEAR(statistics.all.translation_m.mean, 0.25, 1e-12);
+  EXPECT_EQ(statistics.shortSpans.count, 1u);
+  EXPECT_NEAR(statistics.shortSpans.translation_m.mean, 0, 1e-12);
 }
 
 TEST_F(RelationsTest, ofRealLogsAreRead)

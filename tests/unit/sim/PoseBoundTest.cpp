@@ -211,7 +211,7 @@ class BruteForce
 
 PoseBound boundOf(const Scene& scene, const SimulatedScan& reference, const SimulatedScan& current)
 {
-  return poseBound(scene.world(), kReference, reference, kCurrent, current, kSigma_m);
+  return poseBound(scene.world(), kReference, reference, kCurrent, current, {kSigma_m});
 }
 
 void expectNearly(const PoseBound& actual, const PoseBound& expected)
@@ -324,7 +324,7 @@ TEST(PoseBound, RangesAtASlantKnowTheDistanceBetter)
     { return std::abs(std::abs(kAllRound.bearing_rad(ray)) - bearing_rad) < degToRad(10); };
     const Pose2 middle{0, 1, 0};
     const SimulatedScan scan = seenOnly(exactScan(corridor(), middle, 8), near);
-    const PoseBound bound = poseBound(corridor().world(), middle, scan, middle, scan, kSigma_m);
+    const PoseBound bound = poseBound(corridor().world(), middle, scan, middle, scan, {kSigma_m});
     return 1 / std::sqrt(bound.information(1, 1));
   };
   EXPECT_LT(acrossSigma_m(degToRad(45)), 0.8 * acrossSigma_m(degToRad(90)));
@@ -334,7 +334,7 @@ TEST(PoseBound, ABareCorridorSaysNothingAlongItself)
 {
   const Pose2 behind{0, 0.9, 0}, ahead{0.5, 1.1, 0.2};
   const PoseBound bound = poseBound(corridor().world(), behind, exactScan(corridor(), behind, 8),
-                                    ahead, exactScan(corridor(), ahead, 8), kSigma_m);
+                                    ahead, exactScan(corridor(), ahead, 8), {kSigma_m});
   EXPECT_NEAR(bound.information.row(0).norm(), 0, 1e-6 * bound.information(1, 1));
   EXPECT_GT(bound.information(1, 1), 1e6);
 
@@ -396,7 +396,8 @@ TEST(PoseBound, AlongAChainTheNoiseOfTheMiddleScansCancels)
   const SimulatedScan first = scan(), middle = scan(), last = scan();
   const auto error = [](const SimulatedScan& from, const SimulatedScan& to)
   {
-    return errorWithoutPrior(poseBound(room().world(), kReference, from, kReference, to, kSigma_m));
+    return errorWithoutPrior(
+        poseBound(room().world(), kReference, from, kReference, to, {kSigma_m}));
   };
   EXPECT_TRUE((error(first, middle) + error(middle, last)).isApprox(error(first, last), 1e-6));
   EXPECT_GT(error(first, middle).norm(), 1e-5);

@@ -1,0 +1,99 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <tests/support/Program.h>
+#include <tests/support/Says.h>
+#include <tests/unit/mrpt/RoomLog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace psmks
+{
+namespace
+{
+using test::says;
+
+class PsmksSlamRelations : public testing::Test
+{
+ protected:
+  void SetUp() override
+  {
+    std::filesystem::create_directories(folder_);
+    test::writeGzipped(test::asFrames(log_), path("room.rawlog"));
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+  ProgramRun slam(const std::string& flags) const
+  {
+    return runProgram("cd '" + folder_ + "' && '" PSMKS_PROGRAM "' room.rawlog -o out -w " + flags);
+  }
+
+  nlohmann::json summary() const
+  {
+    return nlohmann::json::parse(fileText(path("out/summary.json")));
+  }
+
+  /** The true motions from the first scan to each of the others. */
+  void writeRelations() const
+  {
+    std::ofstream file(path("room.relations"));
+    file.precision(16);
+    for (const auto& step : log_.steps)
+      file << log_.steps.front().stamp_s << ' ' << step.stamp_s << ' ' << step.T_world_robot.x_m
+           << ' ' << step.T_world_robot.y_m << " 0 0 0 " << step.T_world_robot.phi_rad << '\n';
+  }
+
+  static constexpr int kScans = 8;
+  const test::RoomLog log_{kScans};
+  const std::string folder_ = testing::TempDir() + "psmks-slam-relations_" +
+                              testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(PsmksSlamRelations, theirErrorsAreReported)
+{
+  writeRelations();
+  const ProgramRun run = slam("--relations room.relations");
+  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  EXPECT_TRUE(says(run.output, {"relations  ", "spanning < 5 s", "over 8"}));
+  const auto errors = summary()["relations_error"];
+  EXPECT_EQ(errors["all"]["relations"], kScans);
+  EXPECT_EQ(errors["spanning_below_5s"]["relations"], kScans);
+  EXPECT_LT(errors["all"]["mean_m"], 2e-3);
+
+  ASSERT_EQ(slam("--relations room.relations --matcher odometry").exitCode, 0);
+  EXPECT_GT(summary()["relations_error"]["all"]["mean_deg"], 2);
+}
+
+TEST_F(PsmksSlamRelations, withoutThemNothingIsSaidOfThem)
+{
+  const ProgramRun run = slam("");
+  EXPECT_EQ(run.output.find("relations"), std::string::npos);
+  EXPECT_FALSE(summary().contains("relations_error"));
+}
+
+TEST_F(PsmksSlamRelations, ofAnotherTimeAreAnInputErrorAfterEverythingIsSaved)
+{
+  std::ofstream(path("room.relations")) << "1 2 0 0 0 0 0 0\n";
+  const ProgramRun run = slam("--relations room.relations");
+  EXPECT_EQ(run.exitCode, 2);
+  EXPECT_TRUE(says(run.errors, {"psmks-slam: none of the relations 'room.relations'"}));
+  EXPECT_EQ(summary()["scans"], kScans);
+}
+
+TEST_F(PsmksSlamRelations, thatCannotBeReadAreAnInputErrorBeforeTheRun)
+{
+  std::ofstream(path("room.relations")) << "1 2 3\n";
+  for (const char* name : {"room.relations", "none.relations"})
+  {
+    const ProgramRun run = slam(std::string("--relations ") + name);
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_TRUE(says(run.errors, {"psmks-slam: relations ", name}));
+    EXPECT_FALSE(std::filesystem::exists(path("out")));
+  }
+}
+}  // namespace
+}  // namespace psmks
