@@ -55,7 +55,7 @@ bool Overlap::isSeen(const Eigen::Vector2d& point_m) const
   const double range_m = point_m.norm();
   const double index =
       grid.index(fastBearing_rad(static_cast<float>(point_m.y()), static_cast<float>(point_m.x())));
-  const bool isInside = index >= 0 && index <= grid.count() - 1;
+  const bool isInside = index >= -0.5 && index <= grid.count() - 0.5;
   if (!isInside && !grid.closed()) return false;
   const double tolerance_m = kTolerance_m + kTolerancePerMetre * range_m;
   for (const int step : {0, 1})

@@ -143,6 +143,37 @@ TEST(PoseGraph, AWrongLinkIsOutvoted)
   EXPECT_TRUE(isNearly(graph.poses()[1], {1, 0, 0}, 0.001, degToRad(0.01)));
 }
 
+//     0 - 1 - 2 - ... - 40      every step drifts by 2.5 cm to the left; then the last node is
+//     known
+//      \_______________/        from the first: 1 m of contradiction, which all steps share
+TEST(PoseGraph, ALoopThatClosesTakesAwayTheDrift)
+{
+  PoseGraph graph;
+  graph.add({0, 0, 0});
+  for (std::size_t node = 1; node <= 40; ++node)
+  {
+    graph.add({static_cast<double>(node), 0.025 * static_cast<double>(node), 0});
+    graph.add({node - 1, node, {1, 0.025, 0}, information(0.02)});
+  }
+  graph.optimise();
+  graph.add({0, 40, {40, 0, 0}, information(0.02)});
+  graph.optimise();
+  EXPECT_TRUE(isNearly(graph.poses()[40], {40, 0, 0}, 0.05, degToRad(0.5)));
+  EXPECT_TRUE(isNearly(graph.poses()[20], {20, 0, 0}, 0.3, degToRad(2)));
+}
+
+TEST(PoseGraph, FixedNodesStay)
+{
+  std::vector<Pose2> guesses = kBlock;
+  guesses[1].x_m += 0.1;
+  guesses[3].y_m += 0.1;
+  PoseGraph graph = graphAt(guesses);
+  tieAround(graph);
+  graph.optimise(2);
+  EXPECT_TRUE(isNearly(graph.poses()[1], guesses[1], 0, 0));
+  EXPECT_FALSE(isNearly(graph.poses()[3], guesses[3], 0.01, degToRad(1)));
+}
+
 TEST(PoseGraph, ANodeWithoutALinkStays)
 {
   std::vector<Pose2> poses = kBlock;

@@ -109,13 +109,69 @@ TEST(ReferencePolicy, aKeyframeThatSawHalfOfAScanSawEnough)
   EXPECT_FALSE(mapPolicy().isEnough(0.49));
 }
 
-TEST(ReferencePolicy, onlyAMatchWithoutDoubtTiesKeyframes)
+TEST(ReferencePolicy, aUsableMatchThatExplainsMostRaysTiesKeyframes)
 {
-  EXPECT_TRUE(mapPolicy().isLink(matchOf(MatchStatus::Converged, 0.8)));
-  EXPECT_FALSE(mapPolicy().isLink(matchOf(MatchStatus::Converged, 0.79)));
   for (const MatchStatus status :
-       {MatchStatus::Degenerate, MatchStatus::MaxIterations, MatchStatus::NoImprovement})
-    EXPECT_FALSE(mapPolicy().isLink(matchOf(status)));
+       {MatchStatus::Converged, MatchStatus::MaxIterations, MatchStatus::Degenerate})
+  {
+    EXPECT_TRUE(mapPolicy().isLink(matchOf(status, 0.8)));
+    EXPECT_FALSE(mapPolicy().isLink(matchOf(status, 0.79)));
+  }
+  EXPECT_FALSE(mapPolicy().isLink(matchOf(MatchStatus::NoImprovement)));
+}
+
+TEST(ReferencePolicy, aMatchThatExplainsLittleIsRetried)
+{
+  ReferenceOptions options;
+  options.choice = ReferenceChoice::Sequential;
+  options.retryScore = 0.9;
+  options.mapRetryScore = 0.7;
+  const ReferencePolicy sequential(options);
+  EXPECT_TRUE(sequential.isRetried(matchOf(MatchStatus::Converged, 0.89)));
+  EXPECT_FALSE(sequential.isRetried(matchOf(MatchStatus::Converged, 0.9)));
+  EXPECT_TRUE(sequential.isRetried(matchOf(MatchStatus::NoImprovement, 0.95)));
+  options.choice = ReferenceChoice::Map;
+  EXPECT_FALSE(ReferencePolicy(options).isRetried(matchOf(MatchStatus::Converged, 0.7)));
+  EXPECT_TRUE(ReferencePolicy(options).isRetried(matchOf(MatchStatus::Converged, 0.69)));
+  options.retryLastScan = false;
+  EXPECT_FALSE(ReferencePolicy(options).isRetried(matchOf(MatchStatus::NoImprovement, 0)));
+}
+
+TEST(ReferencePolicy, aRetryHasToBeClearlyBetter)
+{
+  const MatchResult weak = matchOf(MatchStatus::Converged, 0.8);
+  EXPECT_TRUE(mapPolicy().isBetter(matchOf(MatchStatus::Converged, 0.9), weak));
+  EXPECT_FALSE(mapPolicy().isBetter(matchOf(MatchStatus::Converged, 0.82), weak));
+  EXPECT_FALSE(mapPolicy().isBetter(matchOf(MatchStatus::Degenerate, 0.9), weak));
+}
+
+TEST(ReferencePolicy, keyframesAreTiedToTheLastFewAndThoseOfAMapToAny)
+{
+  ReferenceOptions options;
+  options.keyframeWindow = 20;
+  options.choice = ReferenceChoice::Keyframe;
+  EXPECT_EQ(ReferencePolicy(options).firstTied(15), 0U);
+  EXPECT_EQ(ReferencePolicy(options).firstTied(50), 30U);
+  EXPECT_TRUE(ReferencePolicy(options).tiesReferences());
+  EXPECT_EQ(mapPolicy().firstTied(50), 0U);
+  options.choice = ReferenceChoice::Sequential;
+  EXPECT_FALSE(ReferencePolicy(options).tiesReferences());
+}
+
+TEST(ReferencePolicy, aPlaceIsSearchedForAsFarAsTheWayMayHaveDrifted)
+{
+  ReferenceOptions options;
+  options.mapDriftShare = 0.03;
+  options.mapDriftPerMetre_rad = degToRad(0.1);
+  options.mapSpacing_m = 1;
+  const ReferencePolicy policy(options);
+  const Drift drift = policy.driftAfter(50);
+  EXPECT_NEAR(drift.displacement_m, 1.5, 1e-12);
+  EXPECT_NEAR(drift.rotation_rad, degToRad(5), 1e-12);
+  EXPECT_TRUE(policy.mayBeNear({2.4, 0, 0}, drift));
+  EXPECT_FALSE(policy.mayBeNear({2.6, 0, 0}, drift));
+  EXPECT_FALSE(policy.mayBeNear({0, 0, degToRad(36)}, drift));
+  EXPECT_FALSE(policy.mayBeNear({0, 0, 0}, policy.driftAfter(1)));  // is where it is expected
 }
 
 TEST(ReferencePolicy, theNumberOfLinksIsAnOption)
