@@ -222,6 +222,7 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
   RayColumns& rays = buffers.rays;
   result.rangeNoise = statedNoise(scan, options);
   rays.load(result);
+  if (options.estimateRangeSigma && scan.rangeSigma_m <= 0) rays.noise = noiseWithRounding(rays);
   if (options.estimateRangeSigma) rays.noise = shownNoise(rays, buffers.scratch);
   result.rangeNoise = rays.noise;
   if (result.grid.closed()) rays.startAt(result, strongestBreak(rays));

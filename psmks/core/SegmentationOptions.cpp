@@ -28,7 +28,8 @@ void listFields(OptionTable& table, SegmentationOptions& o)
   table.add("range_sigma_per_metre_m", o.rangeSigmaPerMetre_m, Unit::Metre, 0, 0.2,
             "and what every metre of the range adds to it, in squares");
   table.add("estimate_range_sigma", o.estimateRangeSigma,
-            "raise the standard deviation to what the scan's own second differences show");
+            "raise the standard deviation to what the scan itself shows, with its growth and "
+            "coarse steps");
   table.add("innovation_gate", o.innovationGate, Unit::None, 1, 20,
             "standard deviations within which a ray continues a line");
   table.add("seed_rays", o.seedRays, 3, 20, "consecutive rays that start a line");

@@ -2,6 +2,7 @@
 #include <psmks/core/Angle.h>
 #include <psmks/mrpt/CarmenMessage.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -119,7 +120,7 @@ bool readScanner(Words& words, CarmenScanner& scanner)
   return true;
 }
 
-/** Logs of before 2005 lack the list of remissions: the number of words tells. */
+/** Old logs lack the list of remissions: the number of words tells. */
 bool skipRemissions(Words& words)
 {
   if (words.count() == kAfterRobotLaser) return true;

@@ -151,6 +151,7 @@ TEST_F(PsmksBenchmark, WhatCannotBeAcceptedIsAUsageError)
   expectUsageError("--set joint.nothing=1", "'nothing'");
   expectUsageError("--set nonsense", "'nonsense' is not SECTION.KEY=VALUE");
   expectUsageError("--config absent.ini", "'absent.ini': no such file");
+  expectUsageError("--sensor-file lost.ini", "'lost.ini': no such file");
   expectUsageError("--csv /absent/t.csv", "'/absent/t.csv' cannot be created");
 }
 

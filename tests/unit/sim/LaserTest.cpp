@@ -56,6 +56,26 @@ TEST(Laser, NoiseIsMeasuredMinusTrueRange)
     EXPECT_NEAR(faulty.scan.range_m[ray] - exact.scan.range_m[ray], faulty.noise_m[ray], 1e-12);
 }
 
+TEST(Laser, NoiseGrowsWithTheRangeByItsLaw)
+{
+  LaserOptions laser = exactLaser(61);
+  laser.grid = BeamGrid::centered(degToRad(60), 4001);
+  laser.rangeSigma_m = 0.005;
+  laser.rangeSigmaPerMetre_m = 0.02;
+  const SimulatedScan simulated = scanOf(wallBeforeWall(), {0, 1, 0}, laser);
+  double sum = 0;
+  int returns = 0;
+  for (std::size_t ray = 0; ray < 4001; ++ray)
+  {
+    if (simulated.objectOfRay[ray] == Hit::kNothing) continue;
+    const double true_m = simulated.scan.range_m[ray] - simulated.noise_m[ray];
+    sum += std::pow(simulated.noise_m[ray] / laser.rangeNoise().sigmaAt_m(true_m), 2);
+    ++returns;
+  }
+  ASSERT_GT(returns, 1000);
+  EXPECT_NEAR(sum / returns, 1, 0.1);
+}
+
 TEST(Laser, RangesAreMultiplesOfTheQuantumNextToTheTrueOne)
 {
   LaserOptions laser = exactLaser(91);

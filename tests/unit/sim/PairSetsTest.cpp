@@ -226,5 +226,6 @@ TEST(PairFamilies, RoundingCountsAsNoise)
 {
   EXPECT_DOUBLE_EQ(pairFamily("sigma3").rangeNoise().sigma_m, 0.03);
   EXPECT_NEAR(pairFamily("quantised").rangeNoise().sigma_m, 0.0175594, 1e-6);
+  EXPECT_DOUBLE_EQ(pairFamily("rplidar").rangeNoise().sigmaPerMetre_m, 0.01);
 }
 }  // namespace psmks
