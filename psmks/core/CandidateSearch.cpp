@@ -74,35 +74,55 @@ void CandidateSearch::keepIfBest(const RefinedPose& candidate)
 
 void CandidateSearch::searchFurther()
 {
+  const JointOptions& options = match_.options;
+  match_.buffers.hypotheses.clear();
+  propose({options.searchRadius_m, options.searchAngle_rad, options.votedAngles});
+  if (match_.result.hypotheses == 0)
+    match_.buffers.hypotheses.push_back({match_.guess.T_ref_cur, 0, 0});
+  considerMostPromising(options.refinedHypotheses);
+  if (!match_.guessPrior && !judge_.isConvincing(best_) && judge_.pairsManyRays(best_)) slide();
+}
+
+void CandidateSearch::searchWide()
+{
+  constexpr int kTimes = 3;  // as many angles and starts as near the guess
+  const JointOptions& options = match_.options;
+  JointBuffers& buffers = match_.buffers;
+  buffers.hypotheses.clear();
+  propose({options.wideRadius_m, options.wideAngle_rad, kTimes * options.votedAngles});
+  Stopwatch watch;
+  buffers.wideSearch.propose(match_.scores, match_.guess.T_ref_cur, options.wideRadius_m,
+                             options.wideAngle_rad, buffers.hypotheses);
+  match_.result.times.search_s += watch.lap_s();
+  considerMostPromising(kTimes * options.refinedHypotheses);
+}
+
+/** What segment angles and line intersections vote for. */
+void CandidateSearch::propose(const SearchLimits& limits)
+{
+  Stopwatch watch;
+  JointBuffers& buffers = match_.buffers;
+  buffers.search.propose(buffers.reference, buffers.current, match_.guess.T_ref_cur, limits,
+                         buffers.hypotheses);
+  match_.result.times.search_s += watch.lap_s();
+}
+
+/** Of the hypotheses, until a pose is convincing. */
+void CandidateSearch::considerMostPromising(int most)
+{
   constexpr double kHopeless = 0.75;  // promise, as a share of the best score, not worth a look
-  propose();
-  const std::vector<Hypothesis>& starts = match_.buffers.hypotheses;
-  const auto most =
-      std::min(starts.size(), static_cast<std::size_t>(match_.options.refinedHypotheses));
-  for (std::size_t i = 0; i < most && !judge_.isConvincing(best_); ++i)
+  Stopwatch watch;
+  std::vector<Hypothesis>& starts = match_.buffers.hypotheses;
+  for (Hypothesis& h : starts) h.score = promise(h.T_ref_cur);
+  std::sort(starts.begin(), starts.end(),
+            [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
+  match_.result.times.search_s += watch.lap_s();
+  const std::size_t last = std::min(starts.size(), static_cast<std::size_t>(most));
+  for (std::size_t i = 0; i < last && !judge_.isConvincing(best_); ++i)
   {
     if (starts[i].score < kHopeless * best_.score) break;
     consider(starts[i].T_ref_cur);
   }
-  if (!match_.guessPrior && !judge_.isConvincing(best_) && judge_.pairsManyRays(best_)) slide();
-}
-
-/** Hypotheses, most promising first; the guess among them unless it has been refined. */
-void CandidateSearch::propose()
-{
-  Stopwatch watch;
-  JointBuffers& buffers = match_.buffers;
-  std::vector<Hypothesis>& hypotheses = buffers.hypotheses;
-  hypotheses.clear();
-  const JointOptions& options = match_.options;
-  const SearchLimits limits{options.searchRadius_m, options.searchAngle_rad, options.votedAngles};
-  buffers.search.propose(buffers.reference, buffers.current, match_.guess.T_ref_cur, limits,
-                         hypotheses);
-  if (match_.result.hypotheses == 0) hypotheses.push_back({match_.guess.T_ref_cur, 0, 0});
-  for (Hypothesis& h : hypotheses) h.score = promise(h.T_ref_cur);
-  std::sort(hypotheses.begin(), hypotheses.end(),
-            [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
-  match_.result.times.search_s += watch.lap_s();
 }
 
 /** The rough score of a start, less where it is remote: of starts that explain the scans alike - a

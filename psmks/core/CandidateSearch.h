@@ -23,6 +23,9 @@ class CandidateSearch
    * pose is convincing. */
   void searchFurther();
 
+  /** Considers poses farther from the guess than searchFurther() does, whatever lines say. */
+  void searchWide();
+
   /** Considers starts beside the best pose and at other good places along the same walls: they come
    * back, or they are rivals. */
   void challenge();
@@ -36,7 +39,8 @@ class CandidateSearch
  private:
   void keepIfBest(const RefinedPose& candidate);
   static Pose2 heard(const RefinedPose& candidate);
-  void propose();
+  void propose(const SearchLimits& limits);
+  void considerMostPromising(int most);
   void slide();
   void findPlacesAlong();
   double promise(const Pose2& T_ref_cur) const;

@@ -119,17 +119,20 @@ bool JointConclusion::explainsAsMuch(const RefinedPose& other) const
   return other.score > best_.score - kSameScore;
 }
 
-/** The guess's heading, the position that goes with it, and its uncertainty.
+/** The guess's heading, the position that goes with it, and its uncertainty. Where the scans are
+ * not explained as well at that heading - it is open about the pose, but not as far as the guess -
+ * the pose stays.
  *  @param priorInformation of the heading, 1/rad^2 */
 void JointConclusion::leaveHeadingOpen(double priorInformation)
 {
   result_.status = MatchStatus::Degenerate;
   result_.headingUnobservable = true;
+  result_.covariance(2, 2) += 1 / priorInformation;
   Pose2 atGuess = best_.T_ref_cur;
   atGuess.phi_rad = match_.guess.T_ref_cur.phi_rad;
   const RefinedPose other = refinement_.refine(atGuess);
-  if (explainsAsMuch(other)) result_.T_ref_cur = other.T_ref_cur;
+  if (!explainsAsMuch(other)) return;
+  result_.T_ref_cur = other.T_ref_cur;
   result_.T_ref_cur.phi_rad = match_.guess.T_ref_cur.phi_rad;
-  result_.covariance(2, 2) += 1 / priorInformation;
 }
 }  // namespace psmks

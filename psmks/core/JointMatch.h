@@ -10,6 +10,7 @@
 #include <psmks/core/MatchTrace.h>
 #include <psmks/core/RefinedPose.h>
 #include <psmks/core/ScanScores.h>
+#include <psmks/core/WideSearch.h>
 
 #include <algorithm>
 #include <optional>
@@ -22,6 +23,7 @@ struct JointBuffers
 {
   MatchView reference, current;
   HypothesisSearch search;
+  WideSearch wideSearch;
   std::vector<Hypothesis> hypotheses;
   std::vector<RefinedPose> considered;
   JointProblem problem;

@@ -10,6 +10,11 @@ void listFields(OptionTable& table, JointOptions& o)
             "displacement from the guess that is searched");
   table.add("search_angle_deg", o.searchAngle_rad, Unit::Degree, degToRad(1), degToRad(180),
             "rotation from the guess that is searched, to either side");
+  table.add("wide_radius_m", o.wideRadius_m, Unit::Metre, 0, 20,
+            "displacement that is searched where a guess was not measured and no pose nearer to it "
+            "explains the scans; 0: none");
+  table.add("wide_angle_deg", o.wideAngle_rad, Unit::Degree, 0, degToRad(180),
+            "rotation that is searched then, to either side");
   table.add("voted_angles", o.votedAngles, 1, 36,
             "peaks of the vote of segment angles that are followed");
   table.add("refined_hypotheses", o.refinedHypotheses, 1, 100,

@@ -19,10 +19,12 @@ struct JointOptions
   // Hypotheses
   double searchRadius_m = 1.3;            //!< of the translation search about the guess
   double searchAngle_rad = degToRad(60);  //!< of the vote of segment angles about the guess
-  int votedAngles = 4;                    //!< peaks of the vote that are followed
-  int refinedHypotheses = 8;              //!< starts that go through Gauss-Newton at most
-  double confidentScore = 0.92;           //!< a score from which no further start is tried
-  double agreedScore = 0.82;              //!< the same for a pose that a measured guess confirms
+  double wideRadius_m = 5;                //!< of the search where nothing nearer explains the scans
+  double wideAngle_rad = degToRad(120);
+  int votedAngles = 4;           //!< peaks of the vote that are followed
+  int refinedHypotheses = 8;     //!< starts that go through Gauss-Newton at most
+  double confidentScore = 0.92;  //!< a score from which no further start is tried
+  double agreedScore = 0.82;     //!< the same for a pose that a measured guess confirms
   // Refinement
   double distanceGate_m = 0.20;         //!< between associated lines, first association
   double angleGate_rad = degToRad(10);  //!< between associated lines, first association

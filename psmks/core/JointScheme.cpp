@@ -31,6 +31,7 @@ MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedSc
                                MatchTrace* trace)
 {
   fill(buffers, reference, current);
+  if (!guess.covariance) buffers.wideSearch.reserve(options.wideRadius_m, options.wideAngle_rad);
   JointMatch match(guess, options, external, buffers, trace);
   const PoseJudge judge(match);
   Refinement refinement(match);
@@ -40,6 +41,7 @@ MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedSc
   tryGuess(match, search);
   if (!judge.isConvincing(best)) search.searchFurther();
   const bool isMeasured = guess.covariance.has_value();
+  if (!isMeasured && judge.isDoubtful(best)) search.searchWide();
   if (!isMeasured && judge.isConvincing(best) && judge.isWeaklyHeld(best)) search.challenge();
   JointConclusion(match, judge, refinement, best).conclude(search.mostAssociations());
   return match.result;

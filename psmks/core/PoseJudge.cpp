@@ -12,6 +12,12 @@ bool PoseJudge::isConvincing(const RefinedPose& pose) const
          (match_.guessPrior || isPositionFixed(pose));
 }
 
+bool PoseJudge::isDoubtful(const RefinedPose& pose) const
+{
+  constexpr double kMostRays = 0.85;
+  return match_.options.wideRadius_m > 0 && pose.score < kMostRays;
+}
+
 double PoseJudge::merit(const RefinedPose& pose) const
 {
   constexpr double kSliding = 0.02;

@@ -8,11 +8,12 @@ namespace psmks
 namespace
 {
 /** Every how many-th point of a scan is counted. */
-int strideOf(const RayPoints& points)
+int strideOf(const RayPoints& points, std::size_t enoughRays)
 {
-  constexpr std::size_t kEnoughRays = 180;
-  return std::max(1, static_cast<int>(points.size() / kEnoughRays));
+  return std::max(1, static_cast<int>(points.size() / enoughRays));
 }
+
+constexpr std::size_t kEnoughRays = 180;
 }  // namespace
 
 ScanScores::ScanScores(const MatchView& reference, const MatchView& current, double rangeSigma_m)
@@ -28,12 +29,20 @@ double ScanScores::roughScore(const Pose2& T_ref_cur) const
       countRays(current_.points, reference_.surface, T_ref_cur, kRoughTolerance_m, kStride));
 }
 
+double ScanScores::scoreWithin(const Pose2& T_ref_cur, double tolerance_m) const
+{
+  constexpr std::size_t kFewRays = 60;
+  return freeSpaceScore(countRays(current_.points, reference_.surface, T_ref_cur,
+                                  static_cast<float>(tolerance_m),
+                                  strideOf(current_.points, kFewRays)));
+}
+
 RayCounts ScanScores::allCounts(const Pose2& T_ref_cur) const
 {
   RayCounts counts = countRays(current_.points, reference_.surface, T_ref_cur, tolerance_m_,
-                               strideOf(current_.points));
+                               strideOf(current_.points, kEnoughRays));
   counts += countRays(reference_.points, current_.surface, T_ref_cur.inverse(), tolerance_m_,
-                      strideOf(reference_.points));
+                      strideOf(reference_.points, kEnoughRays));
   return counts;
 }
 

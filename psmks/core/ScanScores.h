@@ -18,6 +18,9 @@ class ScanScores
    * way. */
   double roughScore(const Pose2& T_ref_cur) const;
 
+  /** The same from few rays, with a tolerance of one's own. */
+  double scoreWithin(const Pose2& T_ref_cur, double tolerance_m) const;
+
   /** Rays of both scans against the surfaces of the other: of scans with many rays every second,
    * every third, ..., for a share needs no more. */
   RayCounts allCounts(const Pose2& T_ref_cur) const;

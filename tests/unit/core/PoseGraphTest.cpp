@@ -149,10 +149,10 @@ TEST(PoseGraph, AWrongLinkIsOutvoted)
 TEST(PoseGraph, ALoopThatClosesTakesAwayTheDrift)
 {
   PoseGraph graph;
-  graph.add({0, 0, 0});
+  graph.add(Pose2());
   for (std::size_t node = 1; node <= 40; ++node)
   {
-    graph.add({static_cast<double>(node), 0.025 * static_cast<double>(node), 0});
+    graph.add(Pose2{static_cast<double>(node), 0.025 * static_cast<double>(node), 0});
     graph.add({node - 1, node, {1, 0.025, 0}, information(0.02)});
   }
   graph.optimise();
