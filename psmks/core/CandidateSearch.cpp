@@ -85,7 +85,9 @@ void CandidateSearch::searchFurther()
 
 void CandidateSearch::searchWide()
 {
-  constexpr int kTimes = 3;  // as many angles and starts as near the guess
+  constexpr int kTimes = 3;            // as many angles and starts as near the guess
+  constexpr double kMoreFarOff = 0.1;  // of the rays than an acceptable pose near the guess
+  const RefinedPose nearGuess = best_;
   const JointOptions& options = match_.options;
   JointBuffers& buffers = match_.buffers;
   buffers.hypotheses.clear();
@@ -95,6 +97,8 @@ void CandidateSearch::searchWide()
                              options.wideAngle_rad, buffers.hypotheses);
   match_.result.times.search_s += watch.lap_s();
   considerMostPromising(kTimes * options.refinedHypotheses);
+  if (judge_.isAcceptable(nearGuess) && best_.score < nearGuess.score + kMoreFarOff)
+    best_ = nearGuess;
 }
 
 /** What segment angles and line intersections vote for. */

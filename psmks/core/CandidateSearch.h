@@ -23,7 +23,8 @@ class CandidateSearch
    * pose is convincing. */
   void searchFurther();
 
-  /** Considers poses farther from the guess than searchFurther() does, whatever lines say. */
+  /** Considers poses farther from the guess than searchFurther() does. One of them has to explain
+   * clearly more than an acceptable pose near the guess: rooms look alike from many sides. */
   void searchWide();
 
   /** Considers starts beside the best pose and at other good places along the same walls: they come

@@ -15,12 +15,9 @@ void JointConclusion::conclude(int mostAssociations)
     result_.status = MatchStatus::TooFewAssociations;
     return;
   }
-  constexpr double kMoreToContradict = 0.1;  // a measured guess
   result_.score = best_.score;
   result_.associations = best_.associations;
-  const double enough =
-      options.acceptScore + (judge_.contradictsGuess(best_.T_ref_cur) ? kMoreToContradict : 0);
-  if (best_.score < enough)
+  if (!judge_.isAcceptable(best_))
   {
     result_.status = MatchStatus::NoImprovement;
     return;

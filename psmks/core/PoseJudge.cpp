@@ -18,6 +18,13 @@ bool PoseJudge::isDoubtful(const RefinedPose& pose) const
   return match_.options.wideRadius_m > 0 && pose.score < kMostRays;
 }
 
+bool PoseJudge::isAcceptable(const RefinedPose& pose) const
+{
+  constexpr double kMoreToContradict = 0.1;  // a measured guess
+  return pose.score >=
+         match_.options.acceptScore + (contradictsGuess(pose.T_ref_cur) ? kMoreToContradict : 0);
+}
+
 double PoseJudge::merit(const RefinedPose& pose) const
 {
   constexpr double kSliding = 0.02;

@@ -19,6 +19,9 @@ class PoseJudge
   /** Whether so few rays are explained that the true pose may be quite another one. */
   bool isDoubtful(const RefinedPose& pose) const;
 
+  /** Whether so many rays are explained that a match with this pose is accepted. */
+  bool isAcceptable(const RefinedPose& pose) const;
+
   /** What poses are compared by. Along a wall poses explain the scans alike wherever they are, but
    * for a door jamb: one that has found it is worth more than one that slides. */
   double merit(const RefinedPose& pose) const;

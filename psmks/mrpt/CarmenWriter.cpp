@@ -116,8 +116,8 @@ std::string CarmenWriter::flaser() const
 std::string CarmenWriter::robotLaser(const LaserFrame& frame) const
 {
   const double half_rad = degToRad(scanner_->halfAperture_deg());
-  const std::string sickLms = " 0", noRemissions = " 0", atRest = " 0 0", noSafety = " 0 0 0";
-  return "ROBOTLASER1" + sickLms + word(-half_rad) + word(2 * half_rad) +
+  const std::string unknownType = " 99", noRemissions = " 0", atRest = " 0 0", noSafety = " 0 0 0";
+  return "ROBOTLASER1" + unknownType + word(-half_rad) + word(2 * half_rad) +
          word(degToRad(scanner_->increment_deg)) + word(frame.scan->maxRange) +
          word(frame.scan->stdError) + noRemissions + ranges() + noRemissions +
          words(T_start_robot_ * scanner_->T_robot_sensor) + words(T_start_robot_) + atRest +

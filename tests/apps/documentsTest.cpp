@@ -80,17 +80,19 @@ TEST(SensorFiles, holdWhatTheirTableSays)
   struct Scanner
   {
     std::string file;
-    double minRange_m, maxRange_m, sigma_m, sigmaPerMetre_m;
+    double minRange_m, maxRange_m, sigma_m, sigmaPerMetre_m, beamTurn_s;
   };
-  const std::vector<Scanner> scanners = {{"sick-lms200", 0, 0, 0.01, 0},
-                                         {"sick-lms1xx", 0.5, 20, 0.012, 0},
-                                         {"sick-tim5xx", 0.05, 10, 0.02, 0},
-                                         {"hokuyo-urg-04lx", 0.06, 5.6, 0.005, 0.01},
-                                         {"hokuyo-utm-30lx", 0.1, 30, 0.01, 0.001},
-                                         {"slamtec-rplidar-a", 0.15, 12, 0.005, 0.01}};
+  const std::vector<Scanner> scanners = {{"sick-lms200", 0, 0, 0.01, 0, 0.0133333},
+                                         {"sick-lms1xx", 0.5, 20, 0.012, 0, 0.02},
+                                         {"sick-tim5xx", 0.05, 10, 0.02, 0, 0.0666667},
+                                         {"hokuyo-urg-04lx", 0.06, 5.6, 0.005, 0.01, 0.1},
+                                         {"hokuyo-utm-30lx", 0.1, 30, 0.01, 0.001, 0.025},
+                                         {"slamtec-rplidar-a", 0.15, 12, 0.005, 0.01, 0.1}};
   for (const Scanner& scanner : scanners)
   {
-    const MatcherOptions options = loaded("config/sensors/" + scanner.file + ".ini").matcher;
+    const ScanMatcherOptions all = loaded("config/sensors/" + scanner.file + ".ini");
+    const MatcherOptions& options = all.matcher;
+    EXPECT_EQ(all.beamTurn_s, scanner.beamTurn_s) << scanner.file;
     EXPECT_EQ(options.preprocessing.minRange_m, scanner.minRange_m) << scanner.file;
     EXPECT_EQ(options.preprocessing.maxRange_m, scanner.maxRange_m) << scanner.file;
     EXPECT_EQ(options.segmentation.rangeSigma_m, scanner.sigma_m) << scanner.file;

@@ -145,7 +145,7 @@ TEST_F(CarmenWriterTest, flasersOfAllUsualKindsComeBack)
 
 TEST_F(CarmenWriterTest, aRobotLaserOnTheSideComesBack)
 {
-  const std::string scanner = "ROBOTLASER1 0 -2.0943951 4.1887902 0.0104719755 5.6 0.01 0";
+  const std::string scanner = "ROBOTLASER1 99 -2.0943951 4.1887902 0.0104719755 5.6 0.01 0";
   std::string text;
   for (const double stamp_s : {10.25, 10.5})
     text += scanner + carmenRanges(std::vector<double>(401, 1.5)) + " 0" +
