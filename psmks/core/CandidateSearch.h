@@ -24,7 +24,7 @@ class CandidateSearch
   void searchFurther();
 
   /** Considers poses farther from the guess than searchFurther() does. One of them has to explain
-   * clearly more than an acceptable pose near the guess: rooms look alike from many sides. */
+   * many more rays than an acceptable pose near the guess: rooms look alike from many sides. */
   void searchWide();
 
   /** Considers starts beside the best pose and at other good places along the same walls: they come

@@ -41,7 +41,8 @@ MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedSc
   tryGuess(match, search);
   if (!judge.isConvincing(best)) search.searchFurther();
   const bool isMeasured = guess.covariance.has_value();
-  if (!isMeasured && judge.isDoubtful(best)) search.searchWide();
+  const bool searchesWide = !isMeasured && options.wideRadius_m > 0;
+  if (searchesWide && judge.isDoubtful(best)) search.searchWide();
   if (!isMeasured && judge.isConvincing(best) && judge.isWeaklyHeld(best)) search.challenge();
   JointConclusion(match, judge, refinement, best).conclude(search.mostAssociations());
   return match.result;

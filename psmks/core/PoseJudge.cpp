@@ -15,7 +15,7 @@ bool PoseJudge::isConvincing(const RefinedPose& pose) const
 bool PoseJudge::isDoubtful(const RefinedPose& pose) const
 {
   constexpr double kMostRays = 0.85;
-  return match_.options.wideRadius_m > 0 && pose.score < kMostRays;
+  return !isAcceptable(pose) || (pose.score < kMostRays && pairsFewRays(pose));
 }
 
 bool PoseJudge::isAcceptable(const RefinedPose& pose) const
@@ -23,6 +23,12 @@ bool PoseJudge::isAcceptable(const RefinedPose& pose) const
   constexpr double kMoreToContradict = 0.1;  // a measured guess
   return pose.score >=
          match_.options.acceptScore + (contradictsGuess(pose.T_ref_cur) ? kMoreToContradict : 0);
+}
+
+bool PoseJudge::pairsFewRays(const RefinedPose& pose) const
+{
+  constexpr double kFew = 0.35;
+  return pose.associations <= kFew * match_.buffers.current.scan->rays();
 }
 
 double PoseJudge::merit(const RefinedPose& pose) const

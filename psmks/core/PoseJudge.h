@@ -16,10 +16,12 @@ class PoseJudge
    * tolerance of most surfaces, but the lines there are then no pairs. */
   bool isConvincing(const RefinedPose& pose) const;
 
-  /** Whether so few rays are explained that the true pose may be quite another one. */
+  /** Whether so few rays are explained, or explained by few pairs of lines, that the true pose may
+   * be quite another one. */
   bool isDoubtful(const RefinedPose& pose) const;
 
-  /** Whether so many rays are explained that a match with this pose is accepted. */
+  /** Whether so many rays are explained that a match with this pose is accepted: more where it
+   * contradicts a measured guess. */
   bool isAcceptable(const RefinedPose& pose) const;
 
   /** What poses are compared by. Along a wall poses explain the scans alike wherever they are, but
@@ -48,6 +50,7 @@ class PoseJudge
   bool contradictsGuess(const Pose2& T_ref_cur) const;
 
  private:
+  bool pairsFewRays(const RefinedPose& pose) const;
   bool isPositionFixed(const RefinedPose& pose) const;
   double chi2FromGuess(const Pose2& T_ref_cur) const;
 
