@@ -44,7 +44,7 @@ struct ReferenceOptions
   int keyframeWindow = 20;      //!< a new keyframe is tied to one of the last so many
   int mapLinks = 6;             //!< matches that tie a new keyframe to those around it
   bool retryLastScan = true;    //!< after a failure, against the last scan that matched
-  double retryScore = 0.95;     //!< the same after a match with a lower MatchResult::score
+  double retryScore = 0.94;     //!< the same after a match with a lower MatchResult::score
   double mapRetryScore = 0.85;  //!< the same with a map, where it makes one more keyframe
   int maxFailures = 5;          //!< in a row, then the reference is given up
 };
