@@ -22,7 +22,7 @@ constexpr std::size_t kMostCircles = 64;
 /** Finds the round things among the rays that belong to no segment.
  *
  *       .--.
- *      (    )       5 rays or more in a row that see its near side, bent enough to tell from a
+ *      (    )       4 rays or more in a row that see its near side, bent enough to tell from a
  *       o  o        straight line, to the noise on a circle
  *        oo
  *         |

@@ -25,6 +25,7 @@ bool joined(const SegmentedScan& scan, int a, int b)
          std::abs(scan.range_m[static_cast<std::size_t>(a)] -
                   scan.range_m[static_cast<std::size_t>(b)]) <= kJump_m;
 }
+
 /** Flags the object that begins at a ray beyond which nothing near is seen, if it is one. */
 void flagObject(const SegmentedScan& scan, int first, std::vector<std::uint8_t>& movable)
 {

@@ -12,7 +12,10 @@ namespace psmks
  *     narrower gates.
  *  2. Score the result by free space. Where it is not convincing, let segment angles and line
  *     intersections vote for other starts and refine those, most promising first.
- *  3. Accept the pose with the best score if that is high enough; find out what it leaves open.
+ *  3. Where the guess was not measured: try places along walls that leave the place open, search
+ *     far from the guess where nothing near it holds, and put poses that few rays hold to the test.
+ *  4. Accept the pose with the best score if that is high enough; find out what it and its
+ *     rivals leave open.
  *
  * @param external null unless options.solver is Ceres
  * @param trace may be null */
