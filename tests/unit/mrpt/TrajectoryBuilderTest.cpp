@@ -4,6 +4,8 @@
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Scenes.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -19,22 +21,31 @@ class Oracle : public PairMatcher
   static constexpr double kAlways = -1;
 
   std::map<double, Pose2> T_world_sensor;
-  std::map<double, double> fails;  //!< stamp of the scan, of the reference
+  std::map<double, double> fails;                      //!< stamp of the scan, of the reference
+  std::map<std::pair<double, double>, double> scores;  //!< by both stamps; else 1
+
+  /** Stamp of a scan that it fails for unless the guess is as uncertain as this. */
+  std::map<double, double> needsSigma_m;
 
   std::string name() const override { return "oracle"; }
   MatchResult match(const Scan& reference, const Scan& current, const Guess& guess) override
   {
     MatchResult result;
     const auto failure = fails.find(current.stamp_s);
-    const bool failed = failure != fails.end() &&
-                        (failure->second == kAlways || failure->second == reference.stamp_s);
+    const auto needed = needsSigma_m.find(current.stamp_s);
+    const bool tooSure =
+        needed != needsSigma_m.end() && std::sqrt((*guess.covariance)(0, 0)) < needed->second;
+    const bool failed =
+        tooSure || (failure != fails.end() &&
+                    (failure->second == kAlways || failure->second == reference.stamp_s));
     result.status = failed ? MatchStatus::NoImprovement : MatchStatus::Converged;
     result.T_ref_cur = failed ? guess.T_ref_cur
                               : T_world_sensor.at(reference.stamp_s).inverse() *
                                     T_world_sensor.at(current.stamp_s);
     result.covariance =
         failed ? *guess.covariance : Eigen::Matrix3d(1e-6 * Eigen::Matrix3d::Identity());
-    result.score = 1;
+    const auto score = scores.find({current.stamp_s, reference.stamp_s});
+    result.score = score != scores.end() ? score->second : 1;
     result.associations = 100;
     return result;
   }
@@ -66,9 +77,17 @@ class TrajectoryBuilderTest : public testing::Test
                                const ReferenceOptions& options = sequential(),
                                bool odometry = true) const
   {
-    auto oracle = std::make_unique<Oracle>();
+    Oracle oracle;
+    oracle.fails = fails;
+    return buildBy(oracle, count, options, odometry);
+  }
+
+  std::vector<PosedScan> buildBy(const Oracle& tellsOf, int count,
+                                 const ReferenceOptions& options = sequential(),
+                                 bool odometry = true) const
+  {
+    auto oracle = std::make_unique<Oracle>(tellsOf);
     for (int i = 0; i < count; ++i) oracle->T_world_sensor[i] = truth(i) * T_robot_sensor_;
-    oracle->fails = fails;
     TrajectoryBuilder builder(std::move(oracle), options, OdometryOptions());
     for (int i = 0; i < count; ++i)
     {
@@ -131,6 +150,48 @@ TEST_F(TrajectoryBuilderTest, aScanThatFailsAgainstTheReferenceIsMatchedAgainstT
   ReferenceOptions paper = sequential();
   paper.retryLastScan = false;
   EXPECT_EQ(build(4, {{2, 0}}, paper)[2].matches.back().reference, 0u);
+}
+
+TEST_F(TrajectoryBuilderTest, aWeakMatchIsReplacedByABetterOneAgainstTheScanBefore)
+{
+  Oracle weak;
+  weak.scores[{2, 0}] = 0.7;
+  const auto better = buildBy(weak, 3);
+  EXPECT_EQ(better[2].matches.back().reference, 1u);
+  EXPECT_TRUE(better[1].isReference);
+
+  weak.scores[{2, 1}] = 0.72;  // hardly more, and one more match on the way
+  const auto asGood = buildBy(weak, 4);
+  ASSERT_EQ(asGood[2].matches.size(), 2u);
+  EXPECT_EQ(asGood[2].matches.back().reference, 0u);
+  EXPECT_FALSE(asGood[1].isReference);
+  EXPECT_EQ(asGood[3].matches.back().reference, 0u);
+  EXPECT_TRUE(isNearly(asGood[3].T_world_robot.pose, truth(3), 1e-9, 1e-9));
+}
+
+TEST_F(TrajectoryBuilderTest, whatFailsIsTriedWithoutFaithInTheOdometry)
+{
+  Oracle doubting;
+  doubting.needsSigma_m[2] = OdometryOptions().unknownSigma_m;
+  const auto scans = buildBy(doubting, 3);
+  EXPECT_TRUE(scans[2].isMatched());
+  EXPECT_TRUE(isNearly(scans[2].T_world_robot.pose, truth(2), 1e-9, 1e-9));
+}
+
+TEST_F(TrajectoryBuilderTest, aScanIsStraightenedByWhatTheRobotTurnsMeanwhile)
+{
+  auto oracle = std::make_unique<Oracle>();
+  for (int i = 0; i < 2; ++i) oracle->T_world_sensor[i] = truth(i);
+  TrajectoryBuilder builder(std::move(oracle), sequential(), OdometryOptions());
+  Scan scan;
+  scan.grid = BeamGrid::centered(kPi, 181);
+  scan.range_m.assign(181, 1);
+  scan.sweepDuration_s = 0.1;
+  builder.add(scan, {}, std::nullopt);
+  scan.stamp_s = 1;
+  builder.add(scan, {}, Pose2{0, 0, degToRad(30)});  // in a second
+  EXPECT_TRUE(builder.scans()[0].scan.grid == scan.grid);
+  EXPECT_NEAR(builder.scans()[1].scan.grid.fieldOfView_rad(), kPi + degToRad(3), 1e-9);
 }
 
 TEST_F(TrajectoryBuilderTest, aReferenceThatFailsAgainAndAgainIsGivenUp)
@@ -258,6 +319,24 @@ TEST_F(MapLoop, backAtTheStartTheErrorIsThatOfTheStart)
   const std::size_t reference = map.scans().back().matches.back().reference;
   EXPECT_LT(truth_[reference].x_m, 6) << "a scan of the first metres";
   EXPECT_LT(reference, 12U);
+}
+
+TEST_F(MapLoop, keyframesAreTiedToTheLastFewOnly)
+{
+  const TrajectoryBuilder keyframe = driven(ReferenceChoice::Keyframe);
+  std::vector<std::size_t> keyframes;
+  std::size_t links = 0;
+  for (std::size_t s = 0; s < keyframe.scans().size(); ++s)
+  {
+    for (const ReferenceMatch& link : keyframe.scans()[s].links)
+    {
+      const auto tied = std::find(keyframes.begin(), keyframes.end(), link.reference);
+      EXPECT_LE(keyframes.end() - tied, ReferenceOptions().keyframeWindow);
+      ++links;
+    }
+    if (keyframe.scans()[s].isReference) keyframes.push_back(s);
+  }
+  EXPECT_GT(links, 0U);
 }
 
 TEST_F(MapLoop, itIsClosedByLinksToEarlierKeyframes)
