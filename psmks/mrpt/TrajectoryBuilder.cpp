@@ -115,13 +115,18 @@ UncertainPose TrajectoryBuilder::matched(PosedScan& current, const UncertainPose
                                          const UncertainPose& guess)
 {
   current.matches.push_back(match(current, reference_, guess));
-  if (policy_.isRetried(current.matches.back().result)) matchToLast(current, motion);
-  if (!current.isMatched()) matchWithoutFaith(current, motion);
+  if (policy_.isRetried(current.matches.back().result)) retry(current, motion);
 
   const ReferenceMatch& best = current.matches.back();
   failuresInARow_ = current.isMatched() ? 0 : failuresInARow_ + 1;
   if (current.isMatched()) current.T_last_robot = difference(T_ref_last_.pose, best.T_ref_cur);
   return best.T_ref_cur;
+}
+
+void TrajectoryBuilder::retry(PosedScan& current, const UncertainPose& motion)
+{
+  matchToLast(current, motion);
+  if (!current.isMatched()) matchWithoutFaith(current, motion);
 }
 
 void TrajectoryBuilder::matchToLast(PosedScan& current, const UncertainPose& motion)

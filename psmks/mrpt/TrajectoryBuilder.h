@@ -46,6 +46,7 @@ class TrajectoryBuilder
   void straighten(PosedScan& current, const std::optional<Pose2>& odometry);
   UncertainPose matched(PosedScan& current, const UncertainPose& motion,
                         const UncertainPose& guess);
+  void retry(PosedScan& current, const UncertainPose& motion);
   void matchToLast(PosedScan& current, const UncertainPose& motion);
   void matchWithoutFaith(PosedScan& current, const UncertainPose& motion);
   UncertainPose measuredMotion(const std::optional<Pose2>& odometry) const;
