@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace psmks
@@ -13,46 +12,6 @@ namespace
 {
 constexpr double kLargest_m = 0.08;          // beyond, it is clutter and not noise
 constexpr double kLargestPerMetre_m = 0.03;  // the same
-
-/** Of two neighbouring positions, the first being p; 0 where one has no range. */
-double step_m(const RayColumns& rays, int p)
-{
-  if (!rays.valid(p) || !rays.valid(p + 1)) return 0;
-  return std::abs(rays.range_m[static_cast<std::size_t>(p) + 1] -
-                  rays.range_m[static_cast<std::size_t>(p)]);
-}
-
-constexpr double kSame_m = 1e-5;  // ranges that differ by less differ by their storage
-
-/** The smallest difference between neighbouring ranges; 0 where one is below `least_m`, which is
- * so after a few rays where ranges are fine. */
-double smallestStep_m(const RayColumns& rays, double least_m)
-{
-  double smallest_m = std::numeric_limits<double>::infinity();
-  for (int p = 0; p + 1 < rays.rays; ++p)
-  {
-    const double between_m = step_m(rays, p);
-    if (between_m < kSame_m) continue;
-    if (between_m < least_m) return 0;
-    smallest_m = std::min(smallest_m, between_m);
-  }
-  return std::isfinite(smallest_m) ? smallest_m : 0;
-}
-
-/** Whether neighbouring ranges differ by multiples of a step, many of them. */
-bool areMultiples(const RayColumns& rays, double quantum_m)
-{
-  constexpr int kEnough = 20;
-  constexpr double kRounding = 0.01;  // of the quantum
-  int steps = 0;
-  for (int p = 0; p + 1 < rays.rays; ++p)
-  {
-    const double quanta = step_m(rays, p) / quantum_m;
-    if (std::abs(quanta - std::round(quanta)) > kRounding) return false;
-    steps += quanta > kRounding;
-  }
-  return steps >= kEnough;
-}
 
 /** Between near and far; 0 where there are no ranges. */
 double meanRange_m(const RayColumns& rays)
@@ -105,16 +64,6 @@ std::optional<RangeNoise> grownNoise(const RayColumns& rays, double least_m,
                     std::min(std::sqrt(slope2), kLargestPerMetre_m)};
 }
 }  // namespace
-
-RangeNoise noiseWithRounding(const RayColumns& rays)
-{
-  constexpr double kCoarse = 1.75;  // of sigma: rounding then adds an eighth of it or more
-  RangeNoise noise = rays.noise;
-  const double quantum_m = smallestStep_m(rays, kCoarse * noise.sigma_m);
-  if (quantum_m > 0 && areMultiples(rays, quantum_m))
-    noise.sigma_m = std::hypot(noise.sigma_m, quantum_m / std::sqrt(12.0));
-  return noise;
-}
 
 RangeNoise shownNoise(const RayColumns& rays, std::vector<double>& scratch)
 {

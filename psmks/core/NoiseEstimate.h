@@ -7,12 +7,6 @@
 
 namespace psmks
 {
-/** The noise that rays are said to have and, where their ranges are multiples of a step that is
- * coarse beside it, that of rounding to them, which the rays do not show: on a wall ahead all are
- * rounded alike.
- *  @param rays with the noise that they are said to have */
-RangeNoise noiseWithRounding(const RayColumns& rays);
-
 /** The noise that rays are said to have, raised to what they show where that is clearly more.
  *
  * Where nothing is said of growth and the far half of the rays is clearly noisier than the near

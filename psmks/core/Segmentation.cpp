@@ -3,6 +3,7 @@
 #include <psmks/core/LineFit.h>
 #include <psmks/core/NoiseEstimate.h>
 #include <psmks/core/Preprocessing.h>
+#include <psmks/core/RangeRounding.h>
 #include <psmks/core/Segmentation.h>
 #include <psmks/core/ThreeRayTest.h>
 
@@ -21,6 +22,17 @@ RangeNoise statedNoise(const Scan& scan, const SegmentationOptions& options)
 {
   return {scan.rangeSigma_m > 0 ? scan.rangeSigma_m : options.rangeSigma_m,
           options.rangeSigmaPerMetre_m};
+}
+
+/** Counts rounding as noise, and takes off what it adds to the ranges. */
+void allowForRounding(SegmentedScan& scan, RayColumns& rays)
+{
+  const RangeRounding rounding = findRounding(rays);
+  if (!(rounding.step_m > 0)) return;
+  scan.rangeNoise = rounding.addedTo(scan.rangeNoise);
+  for (double& range_m : scan.range_m)
+    if (range_m > rounding.overshoot_m) range_m -= rounding.overshoot_m;
+  rays.load(scan);
 }
 
 /** The line of the marked rays by the paper's filter, or `otherwise` where it does not start. It
@@ -222,7 +234,7 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
   RayColumns& rays = buffers.rays;
   result.rangeNoise = statedNoise(scan, options);
   rays.load(result);
-  if (options.estimateRangeSigma && scan.rangeSigma_m <= 0) rays.noise = noiseWithRounding(rays);
+  if (options.estimateRangeSigma && scan.rangeSigma_m <= 0) allowForRounding(result, rays);
   if (options.estimateRangeSigma) rays.noise = shownNoise(rays, buffers.scratch);
   result.rangeNoise = rays.noise;
   if (result.grid.closed()) rays.startAt(result, strongestBreak(rays));

@@ -4,8 +4,6 @@
 #include <psmks/core/Preprocessing.h>
 #include <tests/support/Scenes.h>
 
-#include <cmath>
-
 namespace psmks
 {
 namespace
@@ -15,18 +13,13 @@ constexpr RangeNoise kStated{0.01};
 //   +-----------------+
 //   |  s              |     walls from 1.5 to 12 m away
 //   +-----------------+
-RayColumns rays(const RangeNoise& real, unsigned seed, const RangeNoise& stated = kStated,
-                double quantum_m = 0)
+RayColumns rays(const RangeNoise& real, unsigned seed, const RangeNoise& stated = kStated)
 {
   const std::vector<Wall> room = outline({{-1.5, -2}, {12, -2}, {12, 2}, {-1.5, 2}});
   std::mt19937 rng(seed);
   std::normal_distribution<double> unitNoise;
   Scan raw = castScan(room, {}, BeamGrid::centered(2 * kPi, 720));
-  for (double& range_m : raw.range_m)
-  {
-    range_m += real.sigmaAt_m(range_m) * unitNoise(rng);
-    if (quantum_m > 0) range_m = std::round(range_m / quantum_m) * quantum_m;
-  }
+  for (double& range_m : raw.range_m) range_m += real.sigmaAt_m(range_m) * unitNoise(rng);
   SegmentedScan scan;
   cleanScan(raw, {}, scan);
   scan.rangeNoise = stated;
@@ -83,15 +76,6 @@ TEST(NoiseEstimate, KeepsTheGrowthThatIsStated)
   EXPECT_EQ(same.sigmaPerMetre_m, stated.sigmaPerMetre_m);
   EXPECT_NEAR(twice.sigma_m, 0.01, 0.002);
   EXPECT_DOUBLE_EQ(twice.growth_1_m2(), stated.growth_1_m2());
-}
-
-TEST(NoiseEstimate, CountsRoundingToCoarseSteps)
-{
-  const double sigma_m = noiseWithRounding(rays({0.01}, 1, kStated, 0.05)).sigma_m;
-  EXPECT_NEAR(sigma_m, std::hypot(0.01, 0.05 / std::sqrt(12.0)), 1e-9);
-  EXPECT_EQ(noiseWithRounding(rays({0.01}, 1, kStated, 0.01)).sigma_m, 0.01) << "fine steps";
-  EXPECT_EQ(noiseWithRounding(rays({0.01}, 1)).sigma_m, 0.01) << "none";
-  EXPECT_EQ(noiseWithRounding(rays({0.01}, 1, {0.03}, 0.05)).sigma_m, 0.03) << "noise stated";
 }
 
 TEST(NoiseEstimate, HasABound)
