@@ -67,8 +67,7 @@ Pose2 Refinement::associate(double share, bool last, RefinedPose& pose)
   // rays are many, and those on other objects than their partners too.
   constexpr double kSlack = 0.1;
   const JointOptions& options = match_.options;
-  PairingGates gates{share * options.distanceGate_m, share * options.angleGate_rad,
-                     options.singleRayWeight};
+  PairingGates gates{distanceGate_m(share), share * options.angleGate_rad, options.singleRayWeight};
   gates.singleRaySlack_m = last ? 0 : kSlack * gates.distance_m;
   gates.fine = last;
   const Pose2 before = pose.T_ref_cur;
@@ -81,6 +80,18 @@ Pose2 Refinement::associate(double share, bool last, RefinedPose& pose)
   if (hasTooFew(pose)) return {};
   pose.converged = solve(last ? finalLimits() : limitsWithin(gates), pose.T_ref_cur);
   return before.inverse() * pose.T_ref_cur;
+}
+
+/** This share of the gate, but no less than what noise alone moves the lines of one wall apart: a
+ * narrower gate would leave of a noisy scan what happens to fit. Noise that grows with the range
+ * does not count, for gates are for the near walls too. */
+double Refinement::distanceGate_m(double share) const
+{
+  constexpr double kNoise = 1.5;  // standard deviations of a short range
+  const JointBuffers& buffers = match_.buffers;
+  const double sigma_m = std::max(buffers.reference.scan->rangeNoise.sigma_m,
+                                  buffers.current.scan->rangeNoise.sigma_m);
+  return std::max(share * match_.options.distanceGate_m, kNoise * sigma_m);
 }
 
 bool Refinement::solve(const SolverLimits& limits, Pose2& T_ref_cur)

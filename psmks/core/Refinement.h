@@ -19,6 +19,7 @@ class Refinement
  private:
   RefinedPose alternate(const Pose2& start, double firstShare);
   Pose2 associate(double share, bool last, RefinedPose& pose);
+  double distanceGate_m(double share) const;
   bool solve(const SolverLimits& limits, Pose2& T_ref_cur);
   void score(RefinedPose& pose) const;
   void askBestKnownPair(RefinedPose& pose) const;
