@@ -68,70 +68,67 @@ constexpr double kSpacing_1_m = 0.6;  // of their frequencies: a quarter of a pe
 
 using Bins = Eigen::Array<float, kBins, 1>;
 
-struct Wave
+/** A row for each wave. */
+struct Waves
 {
-  explicit Wave(double frequency_1_m) : length_m(1 / frequency_1_m)
+  using PerBin = Eigen::Array<float, kWaves, kBins>;
+  using Sums = Eigen::Array<float, kWaves, 1>;
+
+  Waves()
   {
-    for (int b = 0; b < kBins; ++b)
-    {
-      const double middle_m = kFirst_m + kBin_m * (b + 0.5);
-      counts[b] = 2 * middle_m >= length_m;
-      height[b] = counts[b] * static_cast<float>(std::cos(2 * kPi * frequency_1_m * middle_m));
-    }
+    for (int w = 0; w < kWaves; ++w)
+      for (int b = 0; b < kBins; ++b)
+      {
+        const double middle_m = kFirst_m + kBin_m * (b + 0.5);
+        counts(w, b) = 2 * middle_m >= length_m(w);
+        height(w, b) =
+            counts(w, b) * static_cast<float>(std::cos(2 * kPi * middle_m / length_m(w)));
+      }
   }
 
-  double length_m;
-  Bins counts;  //!< 1 for the bins that count, else 0
-  Bins height;  //!< in the middle of these bins, else 0
+  static double length_m(int wave) { return 1 / (1 / kLongest_m + kSpacing_1_m * wave); }
+
+  PerBin counts;  //!< 1 for the bins that count, else 0
+  PerBin height;  //!< of the wave in the middle of these bins, else 0
 };
 
-const std::vector<Wave>& waves()
-{
-  static const std::vector<Wave> all = []
-  {
-    std::vector<Wave> result;
-    for (int w = 0; w < kWaves; ++w) result.emplace_back(1 / kLongest_m + kSpacing_1_m * w);
-    return result;
-  }();
-  return all;
-}
-
-/** Differences of neighbouring ranges by size; what is smaller or larger is left out. */
+/** Differences of neighbouring ranges by size; what is smaller or larger is left out, as beside
+ * rays without a range, which read 0. */
 Bins countDifferences(const RayColumns& rays)
 {
-  constexpr std::size_t kPlenty = 500;
+  constexpr int kPlenty = 1000;
   std::array<std::uint8_t, kPlenty> bins;
-  std::size_t differences = 0;
+  std::size_t counted = 0;
   const double* range_m = rays.range_m.data();
-  for (int p = 0; p + 1 < rays.rays && differences < kPlenty; ++p)
+  const int differences = std::min(rays.rays - 1, kPlenty);
+  for (int p = 0; p < differences; ++p)
   {
-    const double here_m = range_m[p], next_m = range_m[p + 1];
-    const int bin = static_cast<int>((std::abs(next_m - here_m) - kFirst_m) * (1 / kBin_m) + 1) - 1;
-    bins[differences] = static_cast<std::uint8_t>(bin);
-    differences += (here_m > 0) & (next_m > 0) & (static_cast<unsigned>(bin) < kBins);
+    const double beyond_m = std::abs(range_m[p + 1] - range_m[p]) - kFirst_m;
+    const int bin = static_cast<int>(beyond_m * (1 / kBin_m) + 1) - 1;  // rounds down from -1 on
+    bins[counted] = static_cast<std::uint8_t>(bin);
+    counted += static_cast<unsigned>(bin) < kBins;
   }
   Bins counts = Bins::Zero();
-  for (std::size_t d = 0; d < differences; ++d) ++counts[bins[d]];
+  for (std::size_t d = 0; d < counted; ++d) ++counts[bins[d]];
   return counts;
 }
 
 /** The length of the wave on whose crests the differences stand, or 0. */
 double stepBeneathNoise_m(const RayColumns& rays)
 {
+  static const Waves waves;
   constexpr float kEnough = 30, kClear = 0.55F;  // real scans reach 0.45
   const Bins counts = countDifferences(rays);
   if (counts.sum() < kEnough) return 0;
-  double step_m = 0;
-  float highest = kClear;
-  for (const Wave& wave : waves())
+  Waves::Sums differences = Waves::Sums::Zero(), heights = Waves::Sums::Zero();
+  for (int b = 0; b < kBins; ++b)
   {
-    const float differences = (counts * wave.counts).sum();
-    const float height = (counts * wave.height).sum();
-    if (differences < kEnough || height <= highest * differences) continue;
-    highest = height / differences;
-    step_m = wave.length_m;
+    differences += counts[b] * waves.counts.col(b);
+    heights += counts[b] * waves.height.col(b);
   }
-  return step_m;
+  int wave = 0;
+  const float highest = (heights / differences.max(kEnough)).maxCoeff(&wave);
+  return highest > kClear ? Waves::length_m(wave) : 0;
 }
 }  // namespace
 
