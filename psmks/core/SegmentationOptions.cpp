@@ -29,7 +29,7 @@ void listFields(OptionTable& table, SegmentationOptions& o)
             "and what every metre of the range adds to it, in squares");
   table.add("estimate_range_sigma", o.estimateRangeSigma,
             "raise the standard deviation to what the scan itself shows, with its growth and "
-            "coarse steps");
+            "coarse steps; half a step is taken off ranges that a simulator rounded up");
   table.add("innovation_gate", o.innovationGate, Unit::None, 1, 20,
             "standard deviations within which a ray continues a line");
   table.add("seed_rays", o.seedRays, 3, 20, "consecutive rays that start a line");
