@@ -3,6 +3,7 @@
 #include <psmks/mrpt/ScanMatcherOptions.h>
 #include <tests/support/Program.h>
 #include <tests/support/Says.h>
+#include <tests/support/ScratchFolder.h>
 
 #include <filesystem>
 #include <fstream>
@@ -58,13 +59,12 @@ std::string found(const std::string& path, const std::string& pattern)
 
 TEST(Config, isWhatTheProgramPrints)
 {
-  const std::string folder = testing::TempDir() + "psmks_generated";
+  const test::ScratchFolder folder;
   const ProgramRun run = runProgram(quoted(kSource + "/scripts/update-config") + " " +
-                                    quoted(PSMKS_SLAM) + " " + quoted(folder));
+                                    quoted(PSMKS_SLAM) + " " + quoted(folder.path()));
   ASSERT_EQ(run.exitCode, 0) << run.errors;
   for (const char* path : {"config/psmks.ini", "config/psmks-paper.ini", "docs/options.md"})
-    EXPECT_EQ(source(path), fileText(folder + "/" + path)) << "run scripts/update-config";
-  std::filesystem::remove_all(folder);
+    EXPECT_EQ(source(path), fileText(folder.path(path))) << "run scripts/update-config";
 }
 
 TEST(Config, loadsIntoTheMatcher)
@@ -106,7 +106,8 @@ TEST(SensorFiles, holdWhatTheirTableSays)
 /** Defaults, --sensor-file, --config, --set: each overrides those before it. */
 TEST(SensorFiles, overrideDefaultsAndAreOverridden)
 {
-  const std::string config = testing::TempDir() + "psmks_over_sensor.ini";
+  const test::ScratchFolder folder;
+  const std::string config = folder.path("over_sensor.ini");
   std::ofstream(config) << "[psmks.segmentation]\nrange_sigma_m = 0.03\nmin_rays = 7\n";
   const auto printed = [&](const std::string& flags)
   {
@@ -125,7 +126,6 @@ TEST(SensorFiles, overrideDefaultsAndAreOverridden)
   EXPECT_TRUE(
       test::says(printed(sensor + " --set segmentation.min_rays=8 --config " + quoted(config)),
                  {"\nrange_sigma_m = 0.03\n", "\nmin_rays = 8\n"}));
-  std::filesystem::remove(config);
 }
 
 TEST(SensorFiles, thatAreMissingAreAnErrorOfUse)

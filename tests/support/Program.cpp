@@ -1,10 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <tests/support/Program.h>
-#include <unistd.h>
+#include <tests/support/ScratchFolder.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -13,8 +11,8 @@ namespace psmks
 {
 ProgramRun runProgram(const std::string& command)
 {
-  const std::string base = testing::TempDir() + "psmks_program_" + std::to_string(getpid());
-  const std::string output = base + ".out", errors = base + ".err";
+  const test::ScratchFolder folder;
+  const std::string output = folder.path("output"), errors = folder.path("errors");
   const int status =
       std::system((command + " </dev/null >'" + output + "' 2>'" + errors + "'").c_str());
 
@@ -22,10 +20,10 @@ ProgramRun runProgram(const std::string& command)
   if (WIFEXITED(status)) run.exitCode = WEXITSTATUS(status);
   run.output = fileText(output);
   run.errors = fileText(errors);
-  std::remove(output.c_str());
-  std::remove(errors.c_str());
   return run;
 }
+
+bool hasGnuplot() { return runProgram("gnuplot --version").exitCode == 0; }
 
 std::string fileText(const std::string& path)
 {

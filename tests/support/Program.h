@@ -16,6 +16,9 @@ struct ProgramRun
 /** Runs a command of the shell, without a terminal. */
 ProgramRun runProgram(const std::string& command);
 
+/** Whether gnuplot is installed, without which programs draw no charts. */
+bool hasGnuplot();
+
 /** The whole of a file; empty where there is none. */
 std::string fileText(const std::string& path);
 }  // namespace psmks

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/eval/Figure.h>
+#include <tests/support/ScratchFolder.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -21,7 +22,6 @@ class ChartFile : public testing::Test
  protected:
   void SetUp() override
   {
-    std::filesystem::create_directories(folder_);
     std::string reason;
     if (!save(Chart(), path("empty.png"), &reason) &&
         reason.find("cannot be run") != std::string::npos)
@@ -29,9 +29,7 @@ class ChartFile : public testing::Test
     ASSERT_EQ(reason, "");
   }
 
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   std::string saved(const Chart& chart, const std::string& name) const
   {
@@ -46,9 +44,7 @@ class ChartFile : public testing::Test
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("psmks-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const test::ScratchFolder folder_;
 };
 
 /** A big-endian number of a PNG's header: width at 16, height at 20. */
@@ -245,12 +241,13 @@ TEST_F(ChartFile, AFolderThatDoesNotExistIsNamed)
 
 TEST(Chart, WithoutGnuplotThereIsAReason)
 {
+  const test::ScratchFolder folder;
   const std::string before = std::getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
   std::string reason;
-  EXPECT_FALSE(save(zigzag(), testing::TempDir() + "chart.png", &reason));
+  EXPECT_FALSE(save(zigzag(), folder.path("chart.png"), &reason));
   setenv("PATH", before.c_str(), 1);
   EXPECT_EQ(reason,
-            testing::TempDir() + "chart.png: gnuplot cannot be run: No such file or directory");
+            folder.path("chart.png") + ": gnuplot cannot be run: No such file or directory");
 }
 }  // namespace psmks

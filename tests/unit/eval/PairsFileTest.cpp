@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/eval/PairsFile.h>
+#include <tests/support/ScratchFolder.h>
 
 #include <filesystem>
 #include <fstream>
@@ -12,15 +13,7 @@ namespace
 class PairsFile : public testing::Test
 {
  protected:
-  void SetUp() override
-  {
-    folder_ = testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() +
-              std::string("_pairs");
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   std::string write(const std::string& text) const
   {
@@ -45,7 +38,7 @@ class PairsFile : public testing::Test
     }
   }
 
-  std::string folder_;
+  const test::ScratchFolder folder_;
 };
 
 const std::string kHeader = "PSMPAIRS 1\nlaser 3 -0.5 0.5 30\nnpairs 1\n";

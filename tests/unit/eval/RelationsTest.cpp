@@ -4,9 +4,9 @@
 #include <psmks/eval/RelationStatistics.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Says.h>
+#include <tests/support/ScratchFolder.h>
 #include <tests/support/ThrownText.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
@@ -20,16 +20,14 @@ using test::thrownText;
 class RelationsTest : public testing::Test
 {
  protected:
-  void TearDown() override { std::remove(path_.c_str()); }
-
   std::vector<Relation> read(const std::string& text) const
   {
     std::ofstream(path_) << text;
     return readRelations(path_);
   }
 
-  const std::string path_ = testing::TempDir() + "RelationsTest_" +
-                            testing::UnitTest::GetInstance()->current_test_info()->name();
+  const test::ScratchFolder folder_;
+  const std::string path_ = folder_.path("relations");
 };
 
 //   t = 2, 3  <--.        up one metre at t = 1, to the left at t = 2

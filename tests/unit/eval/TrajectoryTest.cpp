@@ -3,9 +3,9 @@
 #include <psmks/core/Angle.h>
 #include <psmks/eval/Trajectory.h>
 #include <tests/support/PoseMatcher.h>
+#include <tests/support/ScratchFolder.h>
 #include <tests/support/ThrownText.h>
 
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -16,16 +16,14 @@ namespace
 class TrajectoryTest : public testing::Test
 {
  protected:
-  void TearDown() override { std::remove(path_.c_str()); }
-
   Trajectory read(const std::string& text) const
   {
     std::ofstream(path_) << text;
     return readTrajectory(path_);
   }
 
-  const std::string path_ = testing::TempDir() + "TrajectoryTest_" +
-                            testing::UnitTest::GetInstance()->current_test_info()->name();
+  const test::ScratchFolder folder_;
+  const std::string path_ = folder_.path("trajectory");
 };
 
 TEST_F(TrajectoryTest, tumIsReadAsItIsWritten)

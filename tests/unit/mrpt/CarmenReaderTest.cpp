@@ -5,6 +5,7 @@
 #include <psmks/mrpt/CarmenReader.h>
 #include <psmks/mrpt/Convert.h>
 #include <tests/support/PoseMatcher.h>
+#include <tests/support/ScratchFolder.h>
 #include <tests/unit/mrpt/CarmenText.h>
 
 #include <filesystem>
@@ -31,8 +32,6 @@ double bearing_deg(const LaserFrame& frame, int ray)
 class CarmenReaderTest : public testing::Test
 {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
-
   std::vector<LaserFrame> framesOf(const std::string& text, const CarmenOptions& options = {},
                                    const std::optional<std::string>& sensor = std::nullopt)
   {
@@ -73,8 +72,8 @@ class CarmenReaderTest : public testing::Test
         << rays;
   }
 
-  const std::string path_ = testing::TempDir() + "CarmenReaderTest_" +
-                            testing::UnitTest::GetInstance()->current_test_info()->name();
+  const ScratchFolder folder_;
+  const std::string path_ = folder_.path("log");
   std::string damage_;
   std::vector<std::string> remarks_;
   std::map<std::string, int> scansOfSensors_;

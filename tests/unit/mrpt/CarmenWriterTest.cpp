@@ -6,10 +6,10 @@
 #include <psmks/mrpt/RawlogReader.h>
 #include <psmks/mrpt/RawlogWriter.h>
 #include <tests/support/PoseMatcher.h>
+#include <tests/support/ScratchFolder.h>
 #include <tests/unit/mrpt/CarmenText.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 namespace psmks
@@ -72,9 +72,7 @@ void expectSameLog(const std::vector<LaserFrame>& a, const std::vector<LaserFram
 class CarmenWriterTest : public testing::Test
 {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   std::string rawlogOf(const std::vector<LaserFrame>& frames, RawlogFormat format) const
   {
@@ -119,7 +117,7 @@ class CarmenWriterTest : public testing::Test
     return path("original.log");
   }
 
-  const std::string folder_ = testing::TempDir() + "CarmenWriterTest";
+  const ScratchFolder folder_;
 };
 
 /** Ranges that a float does not hold, and no return among them. */

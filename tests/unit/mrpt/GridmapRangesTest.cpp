@@ -6,10 +6,9 @@
 #include <psmks/mrpt/Compat.h>
 #include <psmks/mrpt/GridmapRanges.h>
 #include <tests/support/Says.h>
+#include <tests/support/ScratchFolder.h>
 #include <tests/support/ThrownText.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <fstream>
 
 namespace psmks
@@ -147,18 +146,14 @@ TEST(GridmapOutline, holdsTheCellsThatOneCanSee)
 class LoadGridmap : public testing::Test
 {
  protected:
-  void TearDown() override { std::remove(path_.c_str()); }
-  // Tests run side by side, each as a process.
-  void use(const std::string& name)
-  {
-    path_ = testing::TempDir() + std::to_string(getpid()) + name;
-  }
+  void use(const std::string& name) { path_ = folder_.path(name); }
 
   std::string loadError() const
   {
     return test::thrownText<GridmapError>([this] { loadGridmap(path_); });
   }
 
+  const test::ScratchFolder folder_;
   std::string path_;
 };
 

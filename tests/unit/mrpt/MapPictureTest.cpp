@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/mrpt/MapPicture.h>
+#include <tests/support/ScratchFolder.h>
 
-#include <cstdio>
 #include <fstream>
 
 namespace psmks
@@ -32,8 +32,8 @@ int widthOfPng_px(const std::string& path)
 class MapPictureTest : public testing::Test
 {
  protected:
-  void TearDown() override { std::remove(path_.c_str()); }
-  const std::string path_ = testing::TempDir() + "MapPictureTest.png";
+  const test::ScratchFolder folder_;
+  const std::string path_ = folder_.path("map.png");
 };
 
 TEST_F(MapPictureTest, twoCentimetresAPixelButNeitherTooFewNorTooManyPixels)

@@ -3,10 +3,10 @@
 #include <psmks/mrpt/CarmenReader.h>
 #include <psmks/mrpt/OpenLog.h>
 #include <psmks/mrpt/RawlogReader.h>
+#include <tests/support/ScratchFolder.h>
 #include <tests/unit/mrpt/CarmenText.h>
 #include <tests/unit/mrpt/RoomLog.h>
 
-#include <filesystem>
 #include <fstream>
 
 namespace psmks
@@ -18,8 +18,8 @@ using namespace test;
 class OpenLogTest : public testing::Test
 {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
-  const std::string path_ = testing::TempDir() + "OpenLogTest.file";
+  const ScratchFolder folder_;
+  const std::string path_ = folder_.path("file");
 };
 
 TEST_F(OpenLogTest, theContentTellsTheKindWhateverTheName)

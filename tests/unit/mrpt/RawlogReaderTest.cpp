@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <psmks/mrpt/RawlogReader.h>
 #include <tests/support/PoseMatcher.h>
+#include <tests/support/ScratchFolder.h>
 #include <tests/unit/mrpt/RoomLog.h>
 
 #include <filesystem>
@@ -25,8 +26,6 @@ std::vector<LaserFrame> readAll(RawlogReader& reader)
 class RawlogReaderTest : public testing::Test
 {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
-
   std::vector<LaserFrame> framesOf(const Entries& entries)
   {
     writeGzipped(entries, path_);
@@ -47,8 +46,8 @@ class RawlogReaderTest : public testing::Test
   }
 
   const RoomLog log_{kScans};
-  const std::string path_ = testing::TempDir() + "RawlogReaderTest_" +
-                            testing::UnitTest::GetInstance()->current_test_info()->name();
+  const ScratchFolder folder_;
+  const std::string path_ = folder_.path("rawlog");
   std::size_t framesBeforeDamage_ = 0;
 };
 

@@ -8,9 +8,7 @@
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Program.h>
 #include <tests/support/Scenes.h>
-#include <unistd.h>
-
-#include <cstdio>
+#include <tests/support/ScratchFolder.h>
 
 namespace psmks
 {
@@ -50,8 +48,6 @@ std::vector<Step> drive(const BeamGrid& grid)
 class RawlogWriterTest : public testing::TestWithParam<RawlogFormat>
 {
  protected:
-  void TearDown() override { std::remove(path_.c_str()); }
-
   void write(const std::vector<Step>& steps) const
   {
     RawlogWriter::Options options;
@@ -71,9 +67,8 @@ class RawlogWriterTest : public testing::TestWithParam<RawlogFormat>
     return frames;
   }
 
-  // Tests run side by side, each as a process.
-  const std::string path_ =
-      testing::TempDir() + "RawlogWriterTest" + std::to_string(getpid()) + ".rawlog";
+  const test::ScratchFolder folder_;
+  const std::string path_ = folder_.path("drive.rawlog");
 };
 
 /** Wall points of a scan in the frame of the robot. */
@@ -181,7 +176,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, RawlogWriterTest,
 TEST(RawlogActions, areTrustedAsFarAsTheOptionsSay)
 {
   RawlogWriter::Options options;
-  const std::string path = testing::TempDir() + "RawlogActionsTest.rawlog";
+  const test::ScratchFolder folder;
+  const std::string path = folder.path("drive.rawlog");
   const auto steps = drive(BeamGrid::centered(kPi, 61));
   {
     RawlogWriter writer(options);
@@ -197,7 +193,6 @@ TEST(RawlogActions, areTrustedAsFarAsTheOptionsSay)
   const Eigen::Matrix3d stated = movement->poseChange->getCovariance().asEigen();
   for (int i = 0; i < 3; ++i)  // MRPT lets the angle's error bend the way, a little
     EXPECT_NEAR(stated(i, i), expected(i, i), 0.02 * expected(i, i)) << i;
-  std::remove(path.c_str());
 }
 }  // namespace
 }  // namespace psmks

@@ -4,9 +4,9 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <psmks/mrpt/ScanMatcherOptions.h>
 #include <tests/support/Says.h>
+#include <tests/support/ScratchFolder.h>
 #include <tests/support/ThrownText.h>
 
-#include <cstdio>
 #include <map>
 #include <sstream>
 
@@ -57,11 +57,11 @@ std::string loadingError(const std::string& ini)
 
 TEST(ScanMatcherOptions, survivesAFileExactly)
 {
-  const std::string file = testing::TempDir() + "psmks_options.ini";
+  const ScratchFolder folder;
+  const std::string file = folder.path("options.ini");
   unevenOptions().saveToConfigFileName(file, "psmks");
   ScanMatcherOptions loaded;
   loaded.loadFromConfigFileName(file, "psmks");
-  std::remove(file.c_str());
 
   EXPECT_EQ(valuesOf(loaded), valuesOf(unevenOptions()));
   EXPECT_EQ(loaded.matcher.segmentation.rangeSigma_m, 0.1 / 3);

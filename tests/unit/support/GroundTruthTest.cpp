@@ -3,6 +3,7 @@
 #include <apps/support/GroundTruth.h>
 #include <gtest/gtest.h>
 #include <tests/support/Says.h>
+#include <tests/support/ScratchFolder.h>
 #include <tests/support/ThrownText.h>
 
 #include <filesystem>
@@ -18,10 +19,7 @@ using test::thrownText;
 class GroundTruthTest : public testing::Test
 {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  std::string path(const std::string& name) const { return folder_.path(name); }
 
   /** The ground truth of a log, with only that file beside it. */
   std::optional<std::string> found(const std::string& log, const std::string& file) const
@@ -32,8 +30,7 @@ class GroundTruthTest : public testing::Test
     return truth;
   }
 
-  const std::string folder_ = testing::TempDir() + "GroundTruthTest_" +
-                              testing::UnitTest::GetInstance()->current_test_info()->name();
+  const test::ScratchFolder folder_;
 };
 
 TEST_F(GroundTruthTest, liesBesideItsLog)
