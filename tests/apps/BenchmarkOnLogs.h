@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 #include <psmks/eval/Trajectory.h>
-#include <tests/support/Program.h>
+#include <tests/support/ProgramTest.h>
 #include <tests/unit/mrpt/RoomLog.h>
 
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -14,24 +13,20 @@
 namespace psmks::test
 {
 /** psmks-benchmark on logs of a room, in a folder of its own. */
-class BenchmarkOnLogs : public testing::Test
+class BenchmarkOnLogs : public ProgramTest
 {
  protected:
+  BenchmarkOnLogs() : ProgramTest(PSMKS_PROGRAM) {}
+
   static constexpr int kScans = 8;
 
-  void SetUp() override
-  {
-    std::filesystem::create_directories(folder_);
-    writeGzipped(asFrames(log_), log("room"));
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { writeGzipped(asFrames(log_), log("room")); }
 
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
   std::string log(const std::string& name) const { return path(name + ".rawlog"); }
 
   ProgramRun run(const std::string& arguments) const
   {
-    return runProgram("'" PSMKS_PROGRAM "' " + arguments + " --json " + path("t.json"));
+    return ProgramTest::run(arguments + " --json " + path("t.json"));
   }
 
   nlohmann::json table(std::size_t index = 0) const
@@ -59,7 +54,5 @@ class BenchmarkOnLogs : public testing::Test
   }
 
   const RoomLog log_{kScans};
-  const std::string folder_ = testing::TempDir() + "psmks-benchmark-logs_" +
-                              testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 }  // namespace psmks::test

@@ -4,6 +4,7 @@
 #include <tests/unit/report/Markup.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace psmks
 {

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <tests/support/Program.h>
+#include <tests/support/ProgramTest.h>
 #include <tests/support/Says.h>
 #include <tests/unit/report/Markup.h>
 
@@ -16,18 +16,10 @@ using namespace test;
 using nlohmann::json;
 
 /** The pages and pictures of the benchmark, on generated pairs. */
-class PsmksBenchmarkReport : public testing::Test
+class PsmksBenchmarkReport : public test::ProgramTest
 {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-  static ProgramRun run(const std::string& arguments)
-  {
-    return runProgram("'" PSMKS_PROGRAM "' " + arguments);
-  }
+  PsmksBenchmarkReport() : ProgramTest(PSMKS_PROGRAM) {}
 
   /** The table of a grid of 2 x 2 cells. */
   json convergence(const std::string& arguments) const
@@ -37,12 +29,7 @@ class PsmksBenchmarkReport : public testing::Test
     EXPECT_EQ(done.exitCode, 0) << done.errors;
     return json::parse(fileText(path("t.json"))).at("tables").at(0);
   }
-
-  const std::string folder_ = testing::TempDir() + "psmks-benchmark-report_" +
-                              testing::UnitTest::GetInstance()->current_test_info()->name();
 };
-
-bool canDraw() { return runProgram("gnuplot --version").exitCode == 0; }
 
 void expectSelfContained(const std::string& html)
 {
@@ -108,7 +95,7 @@ TEST_F(PsmksBenchmarkReport, ConvergenceDrawsAPictureForEachMatcher)
   EXPECT_TRUE(
       says(html, {"<h1>Areas of convergence</h1>", "psmks-benchmark convergence L180_medium",
                   "<caption>L180_medium</caption>"}));
-  const bool drawn = canDraw();
+  const bool drawn = hasGnuplot();
   EXPECT_EQ(countOf("<svg", html), drawn ? 2 : 0);
   for (const char* matcher : {"psmks", "guess"})
     EXPECT_EQ(
@@ -119,7 +106,8 @@ TEST_F(PsmksBenchmarkReport, ConvergenceDrawsAPictureForEachMatcher)
 
 TEST_F(PsmksBenchmarkReport, ConvergenceOfWhatCannotBeAcceptedSaysWhy)
 {
-  const auto expectError = [](const std::string& arguments, int exitCode, const std::string& word)
+  const auto expectError =
+      [this](const std::string& arguments, int exitCode, const std::string& word)
   {
     const ProgramRun done = run("convergence " + arguments);
     EXPECT_EQ(done.exitCode, exitCode) << arguments;
@@ -146,14 +134,13 @@ TEST_F(PsmksBenchmarkReport, PairsBecomeOnePage)
   EXPECT_EQ(countOf("<table>", html), 2);
   EXPECT_EQ(countOf("<details>", html), 2 * 2 * 2);  // sets, matchers, guesses
   EXPECT_EQ(countOf("<figure>", html), 2 * 2 * 2 * 3);
-  EXPECT_EQ(countOf("<title>Errors of position</title>", html), canDraw() ? 2 * 2 : 0);
+  EXPECT_EQ(countOf("<title>Errors of position</title>", html), hasGnuplot() ? 2 * 2 : 0);
 }
 
 TEST_F(PsmksBenchmarkReport, WithoutGnuplotThePageSaysSo)
 {
-  const ProgramRun done = runProgram("PATH=/nonexistent '" PSMKS_PROGRAM
-                                     "' pairs L180_small --pairs 1 --matchers guess --html " +
-                                     path("p.html"));
+  const ProgramRun done =
+      run("pairs L180_small --pairs 1 --matchers guess --html p.html", "PATH=/nonexistent");
   ASSERT_EQ(done.exitCode, 0) << done.errors;
   const std::string html = fileText(path("p.html"));
   expectSelfContained(html);

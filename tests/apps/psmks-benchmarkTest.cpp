@@ -3,7 +3,7 @@
 #include <psmks/eval/PairsFile.h>
 #include <psmks/sim/Laser.h>
 #include <psmks/sim/World.h>
-#include <tests/support/Program.h>
+#include <tests/support/ProgramTest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -16,7 +16,6 @@ namespace psmks
 {
 namespace
 {
-const std::string kProgram = "'" PSMKS_PROGRAM "' ";
 constexpr int kPairs = 3;
 
 /** Two scans of the simulated room, 20 cm and 5 degrees apart. */
@@ -33,25 +32,20 @@ ScanPair roomPair(int id, std::mt19937_64& random)
   return pair;
 }
 
-class PsmksBenchmark : public testing::Test
+class PsmksBenchmark : public test::ProgramTest
 {
  protected:
+  PsmksBenchmark() : ProgramTest(PSMKS_PROGRAM) {}
+
   void SetUp() override
   {
-    folder_ = testing::TempDir() + "psmks-benchmark_" +
-              testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::create_directories(folder_);
-    pairs_ = path("room.pairs.gz");
     PairsWriter writer(pairs_, {LaserOptions().grid, LaserOptions().maxRange_m, kPairs});
     std::mt19937_64 random(5);
     for (int id = 0; id < kPairs; ++id) writer.write(roomPair(id, random));
     writer.close();
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-  std::string folder_, pairs_;
+  const std::string pairs_ = path("room.pairs.gz");
 };
 
 std::vector<std::string> lines(const std::string& text)
@@ -65,21 +59,20 @@ std::vector<std::string> lines(const std::string& text)
 
 TEST_F(PsmksBenchmark, PrintsATableWithARowForEachMatcherAndGuess)
 {
-  const ProgramRun run = runProgram(kProgram + "pairs " + pairs_ + " --matchers psmks,guess");
-  EXPECT_EQ(run.exitCode, 0) << run.errors;
-  EXPECT_EQ(run.errors, "");
+  const ProgramRun done = run("pairs " + pairs_ + " --matchers psmks,guess");
+  EXPECT_EQ(done.exitCode, 0) << done.errors;
+  EXPECT_EQ(done.errors, "");
   // machine, blank, title, heading, (bound and 2 matchers) x 2 guesses
-  ASSERT_EQ(lines(run.output).size(), 10U) << run.output;
-  EXPECT_EQ(lines(run.output)[2], "room");
-  EXPECT_EQ(lines(run.output)[4].rfind("bound ", 0), 0U) << run.output;
+  ASSERT_EQ(lines(done.output).size(), 10U) << done.output;
+  EXPECT_EQ(lines(done.output)[2], "room");
+  EXPECT_EQ(lines(done.output)[4].rfind("bound ", 0), 0U) << done.output;
 }
 
 TEST_F(PsmksBenchmark, DumpsOneRowForEachPairAndMatcher)
 {
-  const ProgramRun run =
-      runProgram(kProgram + "pairs " + pairs_ + " --matchers psmks,guess --guess zero --dump " +
-                 path("dump.csv"));
-  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  const ProgramRun done =
+      run("pairs " + pairs_ + " --matchers psmks,guess --guess zero --dump " + path("dump.csv"));
+  ASSERT_EQ(done.exitCode, 0) << done.errors;
   const auto rows = lines(fileText(path("dump.csv")));
   ASSERT_EQ(rows.size(), 1U + 2 * kPairs);
   EXPECT_EQ(rows[0],
@@ -92,9 +85,9 @@ TEST_F(PsmksBenchmark, DumpsOneRowForEachPairAndMatcher)
 
 TEST_F(PsmksBenchmark, PsmksFindsTheMotionOfTheRoomPairs)
 {
-  const ProgramRun run = runProgram(kProgram + "pairs " + pairs_ +
-                                    " --matchers psmks --guess zero --json " + path("t.json"));
-  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  const ProgramRun done =
+      run("pairs " + pairs_ + " --matchers psmks --guess zero --json " + path("t.json"));
+  ASSERT_EQ(done.exitCode, 0) << done.errors;
   const auto json = nlohmann::json::parse(fileText(path("t.json")));
   const auto& rows = json.at("tables").at(0).at("rows");
   ASSERT_EQ(rows.at(1).at("matcher"), "psmks");
@@ -108,10 +101,9 @@ TEST_F(PsmksBenchmark, PsmksFindsTheMotionOfTheRoomPairs)
 
 TEST_F(PsmksBenchmark, WritesTheTablesInEveryFormat)
 {
-  const ProgramRun run =
-      runProgram(kProgram + "pairs " + pairs_ + " --matchers guess --csv " + path("t.csv") +
-                 " --json " + path("t.json") + " --markdown " + path("t.md"));
-  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  const ProgramRun done = run("pairs " + pairs_ + " --matchers guess --csv " + path("t.csv") +
+                              " --json " + path("t.json") + " --markdown " + path("t.md"));
+  ASSERT_EQ(done.exitCode, 0) << done.errors;
   EXPECT_EQ(lines(fileText(path("t.csv"))).at(1).rfind("room,bound,zero,,", 0), 0U);
   EXPECT_EQ(lines(fileText(path("t.csv"))).at(2).rfind("room,guess,zero,0,200,", 0), 0U);
   EXPECT_EQ(lines(fileText(path("t.md"))).at(0), "### room");
@@ -122,18 +114,18 @@ TEST_F(PsmksBenchmark, WritesTheTablesInEveryFormat)
 
 TEST_F(PsmksBenchmark, ReadsNoMorePairsThanAskedFor)
 {
-  runProgram(kProgram + "pairs " + pairs_ + " --matchers guess --guess zero --max-pairs 2 --dump " +
-             path("dump.csv"));
+  run("pairs " + pairs_ + " --matchers guess --guess zero --max-pairs 2 --dump " +
+      path("dump.csv"));
   EXPECT_EQ(lines(fileText(path("dump.csv"))).size(), 1U + 2);
 }
 
 TEST_F(PsmksBenchmark, OptionsReachTheMatcher)
 {
-  const ProgramRun run =
-      runProgram(kProgram + "pairs " + pairs_ +
-                 " --matchers psmks --guess zero --set preprocessing.max_range_m=0.1 --dump " +
-                 path("dump.csv"));
-  EXPECT_EQ(run.exitCode, 4) << "no ray is below 10 cm, so every match fails: " << run.output;
+  const ProgramRun done =
+      run("pairs " + pairs_ +
+          " --matchers psmks --guess zero --set preprocessing.max_range_m=0.1 --dump " +
+          path("dump.csv"));
+  EXPECT_EQ(done.exitCode, 4) << "no ray is below 10 cm, so every match fails: " << done.output;
   EXPECT_EQ(fileText(path("dump.csv")).find("Converged"), std::string::npos);
 }
 
@@ -141,10 +133,10 @@ TEST_F(PsmksBenchmark, WhatCannotBeAcceptedIsAUsageError)
 {
   const auto expectUsageError = [this](const std::string& flags, const std::string& sentence)
   {
-    const ProgramRun run = runProgram(kProgram + "pairs " + pairs_ + " " + flags);
-    EXPECT_EQ(run.exitCode, 1) << flags;
-    EXPECT_EQ(lines(run.errors).size(), 1U) << run.errors;
-    EXPECT_NE(run.errors.find(sentence), std::string::npos) << run.errors;
+    const ProgramRun done = run("pairs " + pairs_ + " " + flags);
+    EXPECT_EQ(done.exitCode, 1) << flags;
+    EXPECT_EQ(lines(done.errors).size(), 1U) << done.errors;
+    EXPECT_NE(done.errors.find(sentence), std::string::npos) << done.errors;
   };
   expectUsageError("--matchers nobody", "matcher 'nobody' is not known, allowed: psmks | ");
   expectUsageError("--guess wild", "wild not in");
@@ -160,10 +152,10 @@ TEST_F(PsmksBenchmark, AMissingOrForeignFileIsAnInputError)
   std::ofstream(path("foreign.pairs")) << "something else\n";
   for (const std::string& name : {path("absent.pairs"), path("foreign.pairs")})
   {
-    const ProgramRun run = runProgram(kProgram + "pairs " + name);
-    EXPECT_EQ(run.exitCode, 2);
-    EXPECT_EQ(lines(run.errors).size(), 1U) << run.errors;
-    EXPECT_NE(run.errors.find(name), std::string::npos) << run.errors;
+    const ProgramRun done = run("pairs " + name);
+    EXPECT_EQ(done.exitCode, 2);
+    EXPECT_EQ(lines(done.errors).size(), 1U) << done.errors;
+    EXPECT_NE(done.errors.find(name), std::string::npos) << done.errors;
   }
 }
 
@@ -177,17 +169,17 @@ TEST_F(PsmksBenchmark, WhatWasReadBeforeTheDamageIsProcessed)
   const std::string text = fileText(whole);
   std::ofstream(cut, std::ios::binary) << text.substr(0, text.size() - 500);
 
-  const ProgramRun run = runProgram(kProgram + "pairs " + cut +
-                                    " --matchers guess --guess zero --dump " + path("dump.csv"));
-  EXPECT_EQ(run.exitCode, 2);
-  EXPECT_EQ(lines(run.errors).size(), 1U) << run.errors;
+  const ProgramRun done =
+      run("pairs " + cut + " --matchers guess --guess zero --dump " + path("dump.csv"));
+  EXPECT_EQ(done.exitCode, 2);
+  EXPECT_EQ(lines(done.errors).size(), 1U) << done.errors;
   EXPECT_EQ(lines(fileText(path("dump.csv"))).size(), 1U + kPairs - 1);
 }
 
 TEST_F(PsmksBenchmark, AFileWithoutPairsIsNothingToDo)
 {
   PairsWriter(path("empty.pairs"), {LaserOptions().grid, LaserOptions().maxRange_m, 0}).close();
-  EXPECT_EQ(runProgram(kProgram + "pairs " + path("empty.pairs")).exitCode, 3);
+  EXPECT_EQ(run("pairs " + path("empty.pairs")).exitCode, 3);
 }
 
 /** The rows of tables in CSV without what depends on the machine. */
@@ -204,10 +196,9 @@ TEST_F(PsmksBenchmark, GeneratesSetsByNameAndSeed)
 {
   const auto figures = [this](const std::string& flags)
   {
-    const ProgramRun run =
-        runProgram(kProgram + "pairs fov90 corridor --pairs 5 --matchers psmks --csv " +
-                   path("t.csv") + flags);
-    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    const ProgramRun done =
+        run("pairs fov90 corridor --pairs 5 --matchers psmks --csv " + path("t.csv") + flags);
+    EXPECT_EQ(done.exitCode, 0) << done.errors;
     return rowsWithoutTimes(fileText(path("t.csv")));
   };
   const auto rows = figures(" --seed 3");
@@ -224,10 +215,9 @@ TEST_F(PsmksBenchmark, ASetWithPeopleIsLeftOutOfTheTableOfAllSets)
 {
   const auto tables = [this](const std::string& sets)
   {
-    const ProgramRun run =
-        runProgram(kProgram + "pairs " + sets + " --pairs 4 --matchers guess --guess zero --csv " +
-                   path("t.csv"));
-    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    const ProgramRun done =
+        run("pairs " + sets + " --pairs 4 --matchers guess --guess zero --csv " + path("t.csv"));
+    EXPECT_EQ(done.exitCode, 0) << done.errors;
     return rowsWithoutTimes(fileText(path("t.csv")));
   };
   const auto without = tables("L180_small fov90"), with = tables("L180_small people fov90");
@@ -241,17 +231,14 @@ TEST_F(PsmksBenchmark, ASetWithPeopleIsLeftOutOfTheTableOfAllSets)
 TEST_F(PsmksBenchmark, SavedPairsGiveTheSameTableAgain)
 {
   const std::string flags = " --matchers psmks --csv " + path("t.csv");
-  const ProgramRun saving =
-      runProgram(kProgram + "pairs quantised --pairs 5 --save-pairs " + path("saved") + flags);
+  const ProgramRun saving = run("pairs quantised --pairs 5 --save-pairs " + path("saved") + flags);
   ASSERT_EQ(saving.exitCode, 0) << saving.errors;
   const auto rows = rowsWithoutTimes(fileText(path("t.csv")));
-  const ProgramRun reading =
-      runProgram(kProgram + "pairs " + path("saved/quantised.pairs.gz") + flags);
+  const ProgramRun reading = run("pairs " + path("saved/quantised.pairs.gz") + flags);
   ASSERT_EQ(reading.exitCode, 0) << reading.errors;
   EXPECT_EQ(rowsWithoutTimes(fileText(path("t.csv"))), rows);
 
-  const ProgramRun again =
-      runProgram(kProgram + "pairs quantised --save-pairs " + path("saved") + flags);
+  const ProgramRun again = run("pairs quantised --save-pairs " + path("saved") + flags);
   EXPECT_EQ(again.exitCode, 1);
   EXPECT_NE(again.errors.find("exists already"), std::string::npos) << again.errors;
 }
@@ -260,8 +247,7 @@ TEST_F(PsmksBenchmark, TheBoundOfAFileGrowsWithTheNoiseThatIsStated)
 {
   const auto bound_mm = [this](const std::string& flags)
   {
-    runProgram(kProgram + "pairs " + pairs_ + " --matchers guess --guess zero --json " +
-               path("t.json") + flags);
+    run("pairs " + pairs_ + " --matchers guess --guess zero --json " + path("t.json") + flags);
     const auto json = nlohmann::json::parse(fileText(path("t.json")));
     return json.at("tables").at(0).at("rows").at(0).at("translation_median_mm").get<double>();
   };
@@ -271,29 +257,28 @@ TEST_F(PsmksBenchmark, TheBoundOfAFileGrowsWithTheNoiseThatIsStated)
 
 TEST_F(PsmksBenchmark, ListsTheSetsThatCanBeGenerated)
 {
-  const ProgramRun run = runProgram(kProgram + "pairs --list-sets");
-  EXPECT_EQ(run.exitCode, 0);
-  EXPECT_EQ(lines(run.output).at(0).rfind("L180_small ", 0), 0U) << run.output;
-  EXPECT_NE(run.output.find("\ncurved "), std::string::npos);
+  const ProgramRun done = run("pairs --list-sets");
+  EXPECT_EQ(done.exitCode, 0);
+  EXPECT_EQ(lines(done.output).at(0).rfind("L180_small ", 0), 0U) << done.output;
+  EXPECT_NE(done.output.find("\ncurved "), std::string::npos);
 }
 
 TEST_F(PsmksBenchmark, AnUnknownSetIsAUsageErrorThatNamesTheKnownOnes)
 {
-  const ProgramRun run = runProgram(kProgram + "pairs curved moon");
-  EXPECT_EQ(run.exitCode, 1);
-  EXPECT_EQ(lines(run.errors).size(), 1U) << run.errors;
-  EXPECT_NE(run.errors.find("'moon'"), std::string::npos) << run.errors;
-  EXPECT_NE(run.errors.find("L180_small, "), std::string::npos) << run.errors;
-  EXPECT_EQ(runProgram(kProgram + "pairs").exitCode, 1);
+  const ProgramRun done = run("pairs curved moon");
+  EXPECT_EQ(done.exitCode, 1);
+  EXPECT_EQ(lines(done.errors).size(), 1U) << done.errors;
+  EXPECT_NE(done.errors.find("'moon'"), std::string::npos) << done.errors;
+  EXPECT_NE(done.errors.find("L180_small, "), std::string::npos) << done.errors;
+  EXPECT_EQ(run("pairs").exitCode, 1);
 }
 
 TEST_F(PsmksBenchmark, SegmentationIsTheSameForTheSameSeed)
 {
   const auto figures = [this](const std::string& flags)
   {
-    const ProgramRun run =
-        runProgram(kProgram + "segmentation --poses 20 --csv " + path("s.csv") + " " + flags);
-    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    const ProgramRun done = run("segmentation --poses 20 --csv " + path("s.csv") + " " + flags);
+    EXPECT_EQ(done.exitCode, 0) << done.errors;
     std::string rowsWithoutTime;
     for (const auto& row : lines(fileText(path("s.csv"))))
       rowsWithoutTime += row.substr(0, row.rfind(',')) + '\n';
@@ -328,11 +313,10 @@ std::vector<std::string> pictureLinks(const std::string& markdown)
 
 TEST_F(PsmksBenchmark, ExperimentsWriteAReportWithItsTablesAndPictures)
 {
-  const ProgramRun run = runProgram(
-      kProgram +
-      "experiments --quick --minutes 0.2 --worlds room --methods paper,joint-map --output " +
-      path("report"));
-  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  const ProgramRun done =
+      run("experiments --quick --minutes 0.2 --worlds room --methods paper,joint-map --output " +
+          path("report"));
+  ASSERT_EQ(done.exitCode, 0) << done.errors;
   const std::string report = fileText(path("report/experiments.md"));
   int tables = 0;
   for (const auto& line : lines(report)) tables += line.rfind("|--", 0) == 0 ? 1 : 0;
@@ -341,35 +325,32 @@ TEST_F(PsmksBenchmark, ExperimentsWriteAReportWithItsTablesAndPictures)
     EXPECT_NE(report.find(method), std::string::npos) << method << " in " << report;
   EXPECT_EQ(report.find("| MRPT ICP |"), std::string::npos);
 
-  const bool drawn = runProgram("gnuplot --version").exitCode == 0;
   const auto links = pictureLinks(report);
-  EXPECT_EQ(links.size(), drawn ? 3U : 0U);  // paths, maps, orientation search
+  EXPECT_EQ(links.size(), hasGnuplot() ? 3U : 0U);  // paths, maps, orientation search
   for (const auto& link : links)
     EXPECT_GT(std::filesystem::file_size(path("report/" + link)), 1000U) << link;
 }
 
 TEST_F(PsmksBenchmark, ExperimentsInAHurryWriteNoFile)
 {
-  const auto before = filesIn(folder_);
-  const ProgramRun run =
-      runProgram("cd '" + folder_ + "' && " + kProgram +
-                 "experiments --quick --minutes 0.1 --worlds room,office --methods joint-keyframe");
-  EXPECT_EQ(run.exitCode, 0) << run.errors;
-  EXPECT_EQ(filesIn(folder_), before);
+  const auto before = filesIn(path("."));
+  const ProgramRun done =
+      run("experiments --quick --minutes 0.1 --worlds room,office --methods joint-keyframe");
+  EXPECT_EQ(done.exitCode, 0) << done.errors;
+  EXPECT_EQ(filesIn(path(".")), before);
   for (const char* world : {"room", "office"})
-    EXPECT_NE(run.output.find(world), std::string::npos) << run.output;
+    EXPECT_NE(done.output.find(world), std::string::npos) << done.output;
 }
 
 TEST_F(PsmksBenchmark, ExperimentsAreTheSameForTheSameSeed)
 {
   const auto table = [this](const std::string& flags)
   {
-    const ProgramRun run =
-        runProgram(kProgram +
-                   "experiments --quick --minutes 0.1 --worlds clutter --methods joint-map "
-                   "--csv " +
-                   path("e.csv") + " " + flags);
-    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    const ProgramRun done =
+        run("experiments --quick --minutes 0.1 --worlds clutter --methods joint-map "
+            "--csv " +
+            path("e.csv") + " " + flags);
+    EXPECT_EQ(done.exitCode, 0) << done.errors;
     return fileText(path("e.csv"));
   };
   EXPECT_EQ(table("--first-seed 3"), table("--first-seed 3"));
@@ -378,11 +359,11 @@ TEST_F(PsmksBenchmark, ExperimentsAreTheSameForTheSameSeed)
 
 TEST_F(PsmksBenchmark, ExperimentsWithAnUnknownWordAreAUsageError)
 {
-  const auto expectUsageError = [](const std::string& flags, const std::string& word)
+  const auto expectUsageError = [this](const std::string& flags, const std::string& word)
   {
-    const ProgramRun run = runProgram(kProgram + "experiments --quick " + flags);
-    EXPECT_EQ(run.exitCode, 1) << flags;
-    EXPECT_NE(run.errors.find(word), std::string::npos) << run.errors;
+    const ProgramRun done = run("experiments --quick " + flags);
+    EXPECT_EQ(done.exitCode, 1) << flags;
+    EXPECT_NE(done.errors.find(word), std::string::npos) << done.errors;
   };
   expectUsageError("--worlds moon", "moon");
   expectUsageError("--methods guessing", "guessing");
@@ -393,8 +374,8 @@ TEST_F(PsmksBenchmark, ExperimentsWithAnUnknownWordAreAUsageError)
 
 TEST_F(PsmksBenchmark, HelpEndsWell)
 {
-  EXPECT_EQ(runProgram(kProgram + "--help").exitCode, 0);
-  EXPECT_EQ(runProgram(kProgram + "pairs --help").exitCode, 0);
-  EXPECT_EQ(runProgram(kProgram).exitCode, 1);
+  EXPECT_EQ(run("--help").exitCode, 0);
+  EXPECT_EQ(run("pairs --help").exitCode, 0);
+  EXPECT_EQ(run("").exitCode, 1);
 }
 }  // namespace psmks

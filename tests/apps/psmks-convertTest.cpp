@@ -5,11 +5,10 @@
 #include <psmks/mrpt/OpenLog.h>
 #include <psmks/mrpt/RawlogReader.h>
 #include <tests/support/PoseMatcher.h>
-#include <tests/support/Program.h>
+#include <tests/support/ProgramTest.h>
 #include <tests/unit/mrpt/CarmenText.h>
 #include <tests/unit/mrpt/RoomLog.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -21,18 +20,10 @@ using namespace test;
 
 constexpr int kScans = 8;
 
-class PsmksConvert : public testing::Test
+class PsmksConvert : public test::ProgramTest
 {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-  ProgramRun run(const std::string& arguments) const
-  {
-    return runProgram("cd '" + folder_ + "' && '" PSMKS_PROGRAM "' " + arguments);
-  }
+  PsmksConvert() : ProgramTest(PSMKS_PROGRAM) {}
 
   void expectSuccess(const std::string& arguments, const std::string& output) const
   {
@@ -44,12 +35,9 @@ class PsmksConvert : public testing::Test
   /** One sentence on stderr, and no file left behind. */
   void expectRefusal(const std::string& arguments, int exitCode, const std::string& sentence) const
   {
-    const ProgramRun done = run(arguments);
-    EXPECT_EQ(done.exitCode, exitCode) << arguments << ": " << done.errors;
-    EXPECT_EQ(done.errors.rfind("psmks-convert: ", 0), 0u) << done.errors;
-    EXPECT_EQ(std::count(done.errors.begin(), done.errors.end(), '\n'), 1) << done.errors;
-    EXPECT_NE(done.errors.find(sentence), std::string::npos) << done.errors;
-    EXPECT_FALSE(std::filesystem::exists(path("out.rawlog"))) << arguments;
+    SCOPED_TRACE(arguments);
+    expectError(run(arguments), exitCode, {sentence});
+    EXPECT_FALSE(std::filesystem::exists(path("out.rawlog")));
   }
 
   std::vector<LaserFrame> framesOf(const std::string& name) const
@@ -93,8 +81,6 @@ class PsmksConvert : public testing::Test
   }
 
   const RoomLog log_{kScans};
-  const std::string folder_ = testing::TempDir() + "psmks-convert_" +
-                              testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(PsmksConvert, aRawlogGoesToCarmenAndBackUnchanged)

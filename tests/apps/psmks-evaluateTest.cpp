@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/eval/Trajectory.h>
-#include <tests/support/Program.h>
+#include <tests/support/ProgramTest.h>
 #include <tests/support/Says.h>
 
 #include <algorithm>
@@ -23,20 +23,18 @@ using test::says;
  *                         ^
  *                         |
  *      o--o--o-- ... -->--'        */
-class PsmksEvaluate : public testing::Test
+class PsmksEvaluate : public test::ProgramTest
 {
  protected:
+  PsmksEvaluate() : ProgramTest(PSMKS_PROGRAM) {}
+
   void SetUp() override
   {
-    std::filesystem::create_directories(folder_);
     for (int i = 0; i <= 20; ++i)
       truth_.push_back(
           {kStart_s + i, i < 10 ? Pose2{i * 1.0, 0, 0} : Pose2{10, i - 10.0, kPi / 2}});
     write("truth.tum", truth_);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
 
   void write(const std::string& name, const Trajectory& trajectory) const
   {
@@ -59,11 +57,6 @@ class PsmksEvaluate : public testing::Test
     write(name, estimate);
   }
 
-  ProgramRun run(const std::string& arguments) const
-  {
-    return runProgram("cd '" + folder_ + "' && '" PSMKS_PROGRAM "' " + arguments);
-  }
-
   /** A row of the JSON that a run has written. */
   Json rowOf(const std::string& table, std::size_t row = 0) const
   {
@@ -74,19 +67,8 @@ class PsmksEvaluate : public testing::Test
     return {};
   }
 
-  void expectError(const ProgramRun& run, int exitCode,
-                   std::initializer_list<std::string> words) const
-  {
-    EXPECT_EQ(run.exitCode, exitCode) << run.errors;
-    EXPECT_EQ(run.errors.rfind("psmks-evaluate: ", 0), 0u) << run.errors;
-    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-    EXPECT_TRUE(says(run.errors, words));
-  }
-
   static constexpr double kStart_s = 1.6e9;
   Trajectory truth_;
-  const std::string folder_ = testing::TempDir() + "psmks-evaluate_" +
-                              testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(PsmksEvaluate, holdsATrajectoryAgainstItsGroundTruth)

@@ -8,9 +8,8 @@
 #include <psmks/mrpt/RawlogReader.h>
 #include <psmks/sim/Worlds.h>
 #include <tests/support/PoseMatcher.h>
-#include <tests/support/Program.h>
+#include <tests/support/ProgramTest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -21,18 +20,10 @@ namespace
 constexpr int kScans = 31;  // of 0.05 minutes, both ends included
 const char* const kResults[] = {"drive.rawlog", "drive.gt.tum", "drive.GT.txt", "drive.world.png"};
 
-class PsmksSimulate : public testing::Test
+class PsmksSimulate : public test::ProgramTest
 {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-  ProgramRun run(const std::string& arguments) const
-  {
-    return runProgram("cd '" + folder_ + "' && '" PSMKS_PROGRAM "' " + arguments);
-  }
+  PsmksSimulate() : ProgramTest(PSMKS_PROGRAM) {}
 
   /** Three seconds, written as drive.*. */
   ProgramRun drive(const std::string& flags) const
@@ -51,14 +42,6 @@ class PsmksSimulate : public testing::Test
 
   Trajectory truth() const { return readTrajectory(path("drive.gt.tum")); }
 
-  void expectError(const ProgramRun& run, int exitCode, const std::string& sentence) const
-  {
-    EXPECT_EQ(run.exitCode, exitCode) << run.errors;
-    EXPECT_EQ(run.errors.rfind("psmks-simulate: ", 0), 0u) << run.errors;
-    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-    EXPECT_NE(run.errors.find(sentence), std::string::npos) << run.errors;
-  }
-
   /** A hall of 10 x 6 m with solid walls, in cells of 10 cm, about the origin. */
   void writeGridmap(const std::string& name) const
   {
@@ -69,9 +52,6 @@ class PsmksSimulate : public testing::Test
     mrpt::io::CFileGZOutputStream file(path(name));
     mrpt::serialization::archiveFrom(file) << map;
   }
-
-  const std::string folder_ = testing::TempDir() + "psmks-simulate_" +
-                              testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(PsmksSimulate, writesAllItsFilesAndASummary)
@@ -212,7 +192,7 @@ TEST_F(PsmksSimulate, imagesAreWorldsWithAResolution)
       image << (row % 59 == 0 || column % 99 == 0 ? "0 " : "255 ");
   image.close();
   EXPECT_EQ(drive("--world hall.pgm --resolution_m 0.1").exitCode, 0);
-  expectError(drive("--world hall.pgm"), 1, "add --resolution_m");
+  expectError(drive("--world hall.pgm"), 1, {"add --resolution_m"});
 }
 
 TEST_F(PsmksSimulate, activMediaMapsAreWorlds)
@@ -230,35 +210,35 @@ TEST_F(PsmksSimulate, activMediaMapsAreWorlds)
 TEST_F(PsmksSimulate, resultsAreNotOverwrittenUnlessAsked)
 {
   ASSERT_EQ(run("--world room --minutes 0 --output drive.rawlog").exitCode, 0);
-  expectError(run("--world room --minutes 0 --output drive.rawlog"), 1, "--overwrite");
+  expectError(run("--world room --minutes 0 --output drive.rawlog"), 1, {"--overwrite"});
   EXPECT_EQ(run("--world room --minutes 0 --output drive.rawlog --overwrite").exitCode, 0);
 }
 
 TEST_F(PsmksSimulate, whatCannotBeAcceptedIsAUsageError)
 {
-  expectError(run("--world room"), 1, "--output");
-  expectError(run("--output drive.rawlog"), 1, "--world");
-  expectError(run("--world room --output drive.log"), 1, "does not end in .rawlog");
-  expectError(run("--world room --output /absent/drive.rawlog"), 1, "cannot write");
-  expectError(drive("--world room --driver nobody"), 1, "--driver");
-  expectError(drive("--world room --driver route"), 1, "add --route");
-  expectError(drive("--world room --rays 1"), 1, "--rays");
-  expectError(drive("--world room --sweep_s 0.2"), 1, "--sweep_s");
-  expectError(drive("--world room --start_x_m 12"), 1, "does not fit in");
+  expectError(run("--world room"), 1, {"--output"});
+  expectError(run("--output drive.rawlog"), 1, {"--world"});
+  expectError(run("--world room --output drive.log"), 1, {"does not end in .rawlog"});
+  expectError(run("--world room --output /absent/drive.rawlog"), 1, {"cannot write"});
+  expectError(drive("--world room --driver nobody"), 1, {"--driver"});
+  expectError(drive("--world room --driver route"), 1, {"add --route"});
+  expectError(drive("--world room --rays 1"), 1, {"--rays"});
+  expectError(drive("--world room --sweep_s 0.2"), 1, {"--sweep_s"});
+  expectError(drive("--world room --start_x_m 12"), 1, {"does not fit in"});
 }
 
 TEST_F(PsmksSimulate, aMissingOrDamagedWorldIsAnInputError)
 {
-  expectError(drive("--world nowhere"), 2, "no world of --list-worlds");
+  expectError(drive("--world nowhere"), 2, {"no world of --list-worlds"});
   std::ofstream(path("foreign.gridmap")) << "something else";
-  expectError(drive("--world foreign.gridmap"), 2, "no MRPT grid map");
+  expectError(drive("--world foreign.gridmap"), 2, {"no MRPT grid map"});
   std::ofstream(path("foreign.map")) << "2D-Map\nLINES\n1 2 three 4\n";
-  expectError(drive("--world foreign.map"), 2, "3");
+  expectError(drive("--world foreign.map"), 2, {"3"});
   std::ofstream(path("foreign.png")) << "something else";
-  expectError(drive("--world foreign.png --resolution_m 0.1"), 2, "cannot be read as an image");
+  expectError(drive("--world foreign.png --resolution_m 0.1"), 2, {"cannot be read as an image"});
   std::ofstream(path("foreign.route")) << "1 2\nthree 4\n";
-  expectError(drive("--world room --route foreign.route"), 2, "2");
-  expectError(drive("--world room --route absent.route"), 2, "absent.route");
+  expectError(drive("--world room --route foreign.route"), 2, {"2"});
+  expectError(drive("--world room --route absent.route"), 2, {"absent.route"});
 }
 
 TEST_F(PsmksSimulate, helpVersionAndTheListOfWorldsEndWell)

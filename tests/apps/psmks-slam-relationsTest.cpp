@@ -1,10 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <tests/support/Program.h>
+#include <tests/support/ProgramTest.h>
 #include <tests/support/Says.h>
 #include <tests/unit/mrpt/RoomLog.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -15,22 +14,14 @@ namespace
 {
 using test::says;
 
-class PsmksSlamRelations : public testing::Test
+class PsmksSlamRelations : public test::ProgramTest
 {
  protected:
-  void SetUp() override
-  {
-    std::filesystem::create_directories(folder_);
-    test::writeGzipped(test::asFrames(log_), path("room.rawlog"));
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  PsmksSlamRelations() : ProgramTest(PSMKS_PROGRAM) {}
 
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  void SetUp() override { test::writeGzipped(test::asFrames(log_), path("room.rawlog")); }
 
-  ProgramRun slam(const std::string& flags) const
-  {
-    return runProgram("cd '" + folder_ + "' && '" PSMKS_PROGRAM "' room.rawlog -o out -w " + flags);
-  }
+  ProgramRun slam(const std::string& flags) const { return run("room.rawlog -o out -w " + flags); }
 
   nlohmann::json summary() const
   {
@@ -49,8 +40,6 @@ class PsmksSlamRelations : public testing::Test
 
   static constexpr int kScans = 8;
   const test::RoomLog log_{kScans};
-  const std::string folder_ = testing::TempDir() + "psmks-slam-relations_" +
-                              testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(PsmksSlamRelations, theirErrorsAreReported)

@@ -4,11 +4,10 @@
 #include <psmks/eval/Trajectory.h>
 #include <psmks/mrpt/RawlogReader.h>
 #include <tests/support/PoseMatcher.h>
-#include <tests/support/Program.h>
+#include <tests/support/ProgramTest.h>
 #include <tests/unit/mrpt/CarmenText.h>
 #include <tests/unit/mrpt/RoomLog.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -28,18 +27,10 @@ const char* const kResults[] = {"trajectory.tum", "odometry.tum", "matches.csv",
 
 std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
-class PsmksSlam : public testing::Test
+class PsmksSlam : public test::ProgramTest
 {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-  ProgramRun run(const std::string& arguments) const
-  {
-    return runProgram("cd " + quoted(folder_) + " && " + quoted(PSMKS_PROGRAM) + " " + arguments);
-  }
+  PsmksSlam() : ProgramTest(PSMKS_PROGRAM) {}
 
   /** Runs on the log of that name; results go to the folder "out". */
   ProgramRun slam(const std::string& log, const std::string& flags = "") const
@@ -50,13 +41,6 @@ class PsmksSlam : public testing::Test
   Trajectory trajectory() const { return readTrajectory(path("out/trajectory.tum")); }
   json summary() const { return json::parse(fileText(path("out/summary.json"))); }
 
-  /** The program's own word first, one line, no addresses. */
-  static void expectOneSentence(const ProgramRun& run)
-  {
-    EXPECT_EQ(run.errors.rfind("psmks-slam: ", 0), 0u) << run.errors;
-    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-  }
-
   void expectTruePath(double tol_m, double tol_rad) const
   {
     const Trajectory poses = trajectory();
@@ -66,8 +50,6 @@ class PsmksSlam : public testing::Test
   }
 
   const RoomLog log_{kScans};
-  const std::string folder_ = testing::TempDir() + "psmks-slam_" +
-                              testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(PsmksSlam, bothKindsOfRawlogAndBothWaysToStoreThemGiveTheTruePath)
@@ -372,10 +354,7 @@ TEST_F(PsmksSlam, wrongCommandLinesEndWithOneSentence)
 TEST_F(PsmksSlam, theViewNeedsADisplay)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
-  const ProgramRun run = runProgram("cd " + quoted(folder_) + " && env -u DISPLAY " +
-                                    quoted(PSMKS_PROGRAM) + " room.rawlog --view");
-  EXPECT_EQ(run.exitCode, 1);
-  expectOneSentence(run);
+  expectError(run("room.rawlog --view", "env -u DISPLAY"), 1, {"--view"});
 }
 
 TEST_F(PsmksSlam, thePrintedConfigurationIsReadBackAndFlagsOverrideIt)
