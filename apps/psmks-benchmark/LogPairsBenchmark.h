@@ -35,8 +35,8 @@ class LogPairsBenchmark
   LogInput& input() { return input_; }
 
   /** @return the program's exit code
-   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted; ProgramError
-   * for a truth that cannot be read */
+   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted; and as
+   * LogInput::read() */
   int run(const MakePairs& makePairs);
 
  private:

@@ -22,8 +22,8 @@ class LogsCommand
   explicit LogsCommand(CLI::App& app);
 
   /** @return the program's exit code
-   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted; ProgramError
-   * for a truth that cannot be read */
+   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted; and as
+   * LogInput::read() */
   int run();
 
  private:

@@ -1,10 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-convert/CommandLine.h>
-#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 
 namespace psmks
 {
@@ -72,26 +70,12 @@ OutputKind CommandLine::outputKind() const
   return ending == ".csv" ? OutputKind::Segments : OutputKind::Unknown;
 }
 
-ParsedCommandLine parseCommandLine(int argc, char** argv)
+ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv)
 {
   CommandLine commandLine;
   CLI::App app(kDescription, "psmks-convert");
   app.footer(kFooter);
   addFlags(app, commandLine);
-  try
-  {
-    app.parse(argc, argv);
-    check(commandLine);
-    return {commandLine, kOk};
-  }
-  catch (const CLI::Success& success)
-  {
-    return {std::nullopt, app.exit(success)};
-  }
-  catch (const CLI::ParseError& error)
-  {
-    std::cerr << "psmks-convert: " << error.what() << " (see psmks-convert --help)\n";
-    return {std::nullopt, kUsage};
-  }
+  return parsed(app, argc, argv, commandLine, check);
 }
 }  // namespace psmks

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <apps/support/LogFlags.h>
+#include <apps/support/ParsedCommandLine.h>
 
-#include <optional>
 #include <string>
 
 namespace psmks
@@ -32,13 +32,5 @@ struct CommandLine
   OutputKind outputKind() const;
 };
 
-/** @return the command line, or the exit code where there is nothing to run: --help, --version, or
- * an error that was told already */
-struct ParsedCommandLine
-{
-  std::optional<CommandLine> commandLine;
-  int exitCode = 0;
-};
-
-ParsedCommandLine parseCommandLine(int argc, char** argv);
+ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv);
 }  // namespace psmks

@@ -2,7 +2,7 @@
 #include <apps/psmks-convert/CommandLine.h>
 #include <apps/psmks-convert/ConvertLog.h>
 #include <apps/psmks-convert/ConvertMap.h>
-#include <apps/support/ExitCode.h>
+#include <apps/support/Overwriting.h>
 
 #include <filesystem>
 
@@ -16,8 +16,7 @@ void checkOutput(const CommandLine& commandLine)
   std::error_code ignored;
   if (std::filesystem::equivalent(commandLine.input, output, ignored))
     throw ProgramError(kUsage, "'" + output + "' is the input");
-  if (!commandLine.overwrite && std::filesystem::exists(output))
-    throw ProgramError(kUsage, "'" + output + "' exists, add --overwrite or name another");
+  requireReplaceable(output, commandLine.overwrite);
 }
 
 ExitCode run(const CommandLine& commandLine)
@@ -32,7 +31,7 @@ ExitCode run(const CommandLine& commandLine)
 
 int main(int argc, char** argv)
 {
-  const psmks::ParsedCommandLine parsed = psmks::parseCommandLine(argc, argv);
+  const auto parsed = psmks::parseCommandLine(argc, argv);
   if (!parsed.commandLine) return parsed.exitCode;
   return psmks::exitCodeOf("psmks-convert", [&parsed] { return psmks::run(*parsed.commandLine); });
 }

@@ -1,9 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-evaluate/CommandLine.h>
-#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 
 namespace psmks
 {
@@ -79,33 +77,24 @@ void addOutputFlags(CLI::App& app, CommandLine& c)
           ""));
   app.set_version_flag("--version", "psmks-evaluate " PSMKS_VERSION);
 }
+
+/** Opens the files last, so that a mistyped flag leaves none behind. */
+void check(CommandLine& commandLine)
+{
+  if (commandLine.groundTruth.empty() && commandLine.relations.empty())
+    throw CLI::RequiredError("--ground-truth or --relations");
+  commandLine.files.open();
+}
 }  // namespace
 
-ParsedCommandLine parseCommandLine(int argc, char** argv)
+ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv)
 {
-  ParsedCommandLine parsed{CommandLine(), kOk};
-  CommandLine& commandLine = *parsed.commandLine;
+  CommandLine commandLine;
   CLI::App app(kDescription, "psmks-evaluate");
   app.footer(kFooter);
   addInputFlags(app, commandLine);
   addMeasureFlags(app, commandLine);
   addOutputFlags(app, commandLine);
-  try
-  {
-    app.parse(argc, argv);
-    if (commandLine.groundTruth.empty() && commandLine.relations.empty())
-      throw CLI::RequiredError("--ground-truth or --relations");
-    commandLine.files.open();
-    return parsed;
-  }
-  catch (const CLI::Success& success)
-  {
-    return {std::nullopt, app.exit(success)};
-  }
-  catch (const CLI::ParseError& error)
-  {
-    std::cerr << "psmks-evaluate: " << error.what() << " (see psmks-evaluate --help)\n";
-    return {std::nullopt, kUsage};
-  }
+  return parsed(app, argc, argv, commandLine, check);
 }
 }  // namespace psmks

@@ -1,11 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <apps/support/ParsedCommandLine.h>
 #include <apps/support/TableFiles.h>
 #include <psmks/core/Angle.h>
 #include <psmks/eval/RelationStatistics.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,12 +27,5 @@ struct CommandLine
   TableFiles files;
 };
 
-/** @return the command line, or the exit code where there is nothing to run: --help, --version, or
- * an error that has been reported on stderr */
-struct ParsedCommandLine
-{
-  std::optional<CommandLine> commandLine;
-  int exitCode;
-};
-ParsedCommandLine parseCommandLine(int argc, char** argv);
+ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv);
 }  // namespace psmks

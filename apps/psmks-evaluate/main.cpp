@@ -5,7 +5,7 @@
 
 int main(int argc, char** argv)
 {
-  psmks::ParsedCommandLine parsed = psmks::parseCommandLine(argc, argv);
+  auto parsed = psmks::parseCommandLine(argc, argv);
   if (!parsed.commandLine) return parsed.exitCode;
   return psmks::exitCodeOf("psmks-evaluate",
                            [&parsed]

@@ -1,9 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-simulate/CommandLine.h>
-#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 
 namespace psmks
 {
@@ -119,7 +117,7 @@ void requireWorldAndOutput(const CommandLine& commandLine)
 }
 }  // namespace
 
-ParsedCommandLine parseCommandLine(int argc, char** argv)
+ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv)
 {
   CommandLine commandLine;
   CLI::App app(kDescription, "psmks-simulate");
@@ -128,20 +126,6 @@ ParsedCommandLine parseCommandLine(int argc, char** argv)
   addDriveFlags(app, commandLine);
   addLaserFlags(app, commandLine);
   addOutputFlags(app, commandLine);
-  try
-  {
-    app.parse(argc, argv);
-    requireWorldAndOutput(commandLine);
-    return {commandLine, kOk};
-  }
-  catch (const CLI::Success& success)
-  {
-    return {std::nullopt, app.exit(success)};
-  }
-  catch (const CLI::ParseError& error)
-  {
-    std::cerr << "psmks-simulate: " << error.what() << " (see psmks-simulate --help)\n";
-    return {std::nullopt, kUsage};
-  }
+  return parsed(app, argc, argv, commandLine, requireWorldAndOutput);
 }
 }  // namespace psmks

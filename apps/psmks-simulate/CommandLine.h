@@ -1,6 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <apps/support/ParsedCommandLine.h>
+
 #include <optional>
 #include <string>
 
@@ -36,13 +38,5 @@ struct CommandLine
   bool listWorlds = false;
 };
 
-/** @return the command line, or the exit code where there is nothing to run: --help, --version, or
- * an error that was told already */
-struct ParsedCommandLine
-{
-  std::optional<CommandLine> commandLine;
-  int exitCode = 0;
-};
-
-ParsedCommandLine parseCommandLine(int argc, char** argv);
+ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv);
 }  // namespace psmks

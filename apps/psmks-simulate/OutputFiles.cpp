@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-simulate/OutputFiles.h>
+#include <apps/support/Overwriting.h>
 #include <apps/support/TextFile.h>
 
 #include <filesystem>
@@ -30,8 +31,7 @@ OutputFiles::OutputFiles(const std::string& rawlog, bool overwrite,
     : stem_(stemOf(rawlog)), writer_(options)
 {
   for (const auto& file : {this->rawlog(), tum(), groundTruth(), picture()})
-    if (!overwrite && std::filesystem::exists(file))
-      throw ProgramError(kUsage, "'" + file + "' exists, add --overwrite or name another");
+    requireReplaceable(file, overwrite);
   requireWritten(writer_.open(this->rawlog()), this->rawlog());
 }
 

@@ -1,11 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/CommandLine.h>
-#include <apps/support/ExitCode.h>
 #include <psmks/mrpt/PairMatcher.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 
 namespace psmks
 {
@@ -67,28 +65,19 @@ void addFlags(CLI::App& app, CommandLine& c)
   app.add_flag("-v,--verbose", c.verbose, "report every match on stderr");
   app.set_version_flag("--version", "psmks-slam " PSMKS_VERSION);
 }
+
+void check(const CommandLine& commandLine)
+{
+  if (commandLine.log.empty() && !commandLine.onlyPrints()) throw CLI::RequiredError("LOG");
+}
 }  // namespace
 
-ParsedCommandLine parseCommandLine(int argc, char** argv)
+ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv)
 {
   CommandLine commandLine;
   CLI::App app(kDescription, "psmks-slam");
   app.footer(kFooter);
   addFlags(app, commandLine);
-  try
-  {
-    app.parse(argc, argv);
-    if (commandLine.log.empty() && !commandLine.onlyPrints()) throw CLI::RequiredError("LOG");
-    return {commandLine, kOk};
-  }
-  catch (const CLI::Success& success)
-  {
-    return {std::nullopt, app.exit(success)};
-  }
-  catch (const CLI::ParseError& error)
-  {
-    std::cerr << "psmks-slam: " << error.what() << " (see psmks-slam --help)\n";
-    return {std::nullopt, kUsage};
-  }
+  return parsed(app, argc, argv, commandLine, check);
 }
 }  // namespace psmks

@@ -3,6 +3,7 @@
 #include <apps/psmks-slam/Slam.h>
 #include <apps/support/GroundTruth.h>
 #include <apps/support/LogScan.h>
+#include <apps/support/Overwriting.h>
 #include <apps/support/Progress.h>
 
 #include <algorithm>
@@ -31,9 +32,7 @@ std::string outputPath(const CommandLine& commandLine)
 const CommandLine& checked(const CommandLine& commandLine)
 {
   if (commandLine.view) requireDisplay();
-  const std::string& rawlog = commandLine.rawlog;
-  if (!rawlog.empty() && !commandLine.overwrite && std::filesystem::exists(rawlog))
-    throw ProgramError(kUsage, "'" + rawlog + "' exists, add --overwrite or name another");
+  if (!commandLine.rawlog.empty()) requireReplaceable(commandLine.rawlog, commandLine.overwrite);
   return commandLine;
 }
 

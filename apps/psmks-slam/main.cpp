@@ -37,7 +37,7 @@ ExitCode run(const CommandLine& commandLine)
 
 int main(int argc, char** argv)
 {
-  const psmks::ParsedCommandLine parsed = psmks::parseCommandLine(argc, argv);
+  const auto parsed = psmks::parseCommandLine(argc, argv);
   if (!parsed.commandLine) return parsed.exitCode;
   return psmks::exitCodeOf("psmks-slam", [&parsed] { return psmks::run(*parsed.commandLine); });
 }

@@ -1,0 +1,18 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/support/ExitCode.h>
+
+#include <filesystem>
+#include <string>
+
+namespace psmks
+{
+/** @param overwrite whether a file that is there may be replaced
+ *  @throws ProgramError naming a file that is there and may not */
+inline void requireReplaceable(const std::string& path, bool overwrite)
+{
+  if (!overwrite && std::filesystem::exists(path))
+    throw ProgramError(kUsage, "'" + path + "' exists, add --overwrite or name another");
+}
+}  // namespace psmks
