@@ -12,12 +12,21 @@ namespace
 {
 constexpr int kPairs = 100;
 
+struct Tolerance
+{
+  double translation_m, rotation_rad;
+};
+
 // Gauss-Newton settles only for the last association: a ray at the edge of a gate may then have a
 // partner in one match and none in the other.
-constexpr double kTol_m = 2e-4, kTol_rad = degToRad(2e-3);
+constexpr Tolerance kReassociated{2e-4, degToRad(2e-3)};
+
+// With the same partners both solvers have the same least squares to solve.
+constexpr Tolerance kSamePartners{1e-6, 1e-6};
 
 /** Whole matches with Ceres against whole matches without, on random pairs in an office. */
-void expectSameMatches(const MatcherOptions& closedForm, const MatcherOptions& ceres)
+void expectSameMatches(const MatcherOptions& closedForm, const MatcherOptions& ceres,
+                       const Tolerance& tolerance)
 {
   test::RandomNumbers random(61);
   SCOPED_TRACE(random.seedText());
@@ -36,7 +45,7 @@ void expectSameMatches(const MatcherOptions& closedForm, const MatcherOptions& c
     const MatchResult a = own.match(reference, current, {}, workspace);
     const MatchResult b = withCeres.match(reference, current, {}, workspace);
     EXPECT_EQ(a.usable(), b.usable()) << "pair " << i;
-    EXPECT_TRUE(isNearly(b.T_ref_cur, a.T_ref_cur, kTol_m, kTol_rad))
+    EXPECT_TRUE(isNearly(b.T_ref_cur, a.T_ref_cur, tolerance.translation_m, tolerance.rotation_rad))
         << "pair " << i << "\nown:   " << a.report() << "\nCeres: " << b.report();
   }
 }
@@ -46,13 +55,24 @@ TEST(CeresMatch, OfTheJointSchemeIsThatOfGaussNewton)
 {
   MatcherOptions ceres;
   ceres.joint.solver = JointSolver::Ceres;
-  expectSameMatches({}, ceres);
+  expectSameMatches({}, ceres, kReassociated);
+}
+
+TEST(CeresMatch, OfTheJointSchemeWithOneAssociationIsThatOfGaussNewtonToTheMicrometre)
+{
+  MatcherOptions gaussNewton;
+  gaussNewton.joint.reassociations = 1;
+  gaussNewton.joint.maxIterations = 100;
+  gaussNewton.joint.stopTranslation_m = gaussNewton.joint.stopRotation_rad = 1e-8;
+  MatcherOptions ceres = gaussNewton;
+  ceres.joint.solver = JointSolver::Ceres;
+  expectSameMatches(gaussNewton, ceres, kSamePartners);
 }
 
 TEST(CeresMatch, OfThePaperSchemeIsThatOfTheClosedForm)
 {
   MatcherOptions ceres = MatcherOptions::paperScheme();
   ceres.paper.translationSolver = TranslationSolver::Ceres;
-  expectSameMatches(MatcherOptions::paperScheme(), ceres);
+  expectSameMatches(MatcherOptions::paperScheme(), ceres, kReassociated);
 }
 }  // namespace psmks
