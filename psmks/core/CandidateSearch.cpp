@@ -80,7 +80,9 @@ void CandidateSearch::searchFurther()
   if (match_.result.hypotheses == 0)
     match_.buffers.hypotheses.push_back({match_.guess.T_ref_cur, 0, 0});
   considerMostPromising(options.refinedHypotheses);
-  if (!match_.guessPrior && !judge_.isConvincing(best_) && judge_.pairsManyRays(best_)) slide();
+  constexpr double kEnough = 0.25;  // of the rays in common for single ones to tell a place
+  if (!match_.guessPrior && !judge_.isConvincing(best_) && match_.pairsMoreThan(kEnough, best_))
+    slide();
 }
 
 void CandidateSearch::searchWide()

@@ -58,5 +58,11 @@ struct JointMatch
     constexpr double kHalfARay = 1.5;
     return std::max(options.weakDirectionSigma_m, kHalfARay * rangeSigma_m);
   }
+
+  /** Whether a pose associates more than this share of the current scan's rays. */
+  bool pairsMoreThan(double share, const RefinedPose& pose) const
+  {
+    return pose.associations > share * buffers.current.scan->rays();
+  }
 };
 }  // namespace psmks

@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/ChiSquared.h>
 #include <psmks/core/PoseJudge.h>
 
 namespace psmks
@@ -14,8 +15,8 @@ bool PoseJudge::isConvincing(const RefinedPose& pose) const
 
 bool PoseJudge::isDoubtful(const RefinedPose& pose) const
 {
-  constexpr double kMostRays = 0.85;
-  return !isAcceptable(pose) || (pose.score < kMostRays && pairsFewRays(pose));
+  constexpr double kMostRays = 0.85, kFewPaired = 0.35;
+  return !isAcceptable(pose) || (pose.score < kMostRays && !match_.pairsMoreThan(kFewPaired, pose));
 }
 
 bool PoseJudge::isAcceptable(const RefinedPose& pose) const
@@ -23,12 +24,6 @@ bool PoseJudge::isAcceptable(const RefinedPose& pose) const
   constexpr double kMoreToContradict = 0.1;  // a measured guess
   return pose.score >=
          match_.options.acceptScore + (contradictsGuess(pose.T_ref_cur) ? kMoreToContradict : 0);
-}
-
-bool PoseJudge::pairsFewRays(const RefinedPose& pose) const
-{
-  constexpr double kFew = 0.35;
-  return pose.associations <= kFew * match_.buffers.current.scan->rays();
 }
 
 double PoseJudge::merit(const RefinedPose& pose) const
@@ -56,11 +51,6 @@ bool PoseJudge::isWeaklyHeld(const RefinedPose& pose) const
   return pose.observability.weakSigma_m > kFewRays * match_.rangeSigma_m;
 }
 
-bool PoseJudge::pairsManyRays(const RefinedPose& pose) const
-{
-  return 4 * pose.associations > match_.buffers.current.scan->rays();
-}
-
 bool PoseJudge::hasFewStraightLines(const RefinedPose& pose) const
 {
   constexpr double kWellKnown_rad = degToRad(0.25);
@@ -69,13 +59,11 @@ bool PoseJudge::hasFewStraightLines(const RefinedPose& pose) const
 
 bool PoseJudge::agreesWithGuess(const Pose2& T_ref_cur) const
 {
-  constexpr double kChi2At95With3Dof = 7.81;
   return match_.guessPrior && chi2FromGuess(T_ref_cur) <= kChi2At95With3Dof;
 }
 
 bool PoseJudge::contradictsGuess(const Pose2& T_ref_cur) const
 {
-  constexpr double kChi2At999With3Dof = 16.27;
   return match_.guessPrior && chi2FromGuess(T_ref_cur) > kChi2At999With3Dof;
 }
 

@@ -34,9 +34,6 @@ class PoseJudge
   /** Whether a direction is held by a few rays, of a door jamb or of somebody's legs. */
   bool isWeaklyHeld(const RefinedPose& pose) const;
 
-  /** Whether the scans have enough in common for their single rays to tell a place. */
-  bool pairsManyRays(const RefinedPose& pose) const;
-
   /** Whether no pair of lines is straight for long enough to know its direction well. A curve is
    * cut into short pieces of line, whose directions are no more than those of the pieces: in a
    * round room they pair up at any heading, each time with confidence. */
@@ -50,7 +47,6 @@ class PoseJudge
   bool contradictsGuess(const Pose2& T_ref_cur) const;
 
  private:
-  bool pairsFewRays(const RefinedPose& pose) const;
   bool isPositionFixed(const RefinedPose& pose) const;
   double chi2FromGuess(const Pose2& T_ref_cur) const;
 

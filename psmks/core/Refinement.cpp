@@ -37,6 +37,7 @@ RefinedPose Refinement::refine(const Pose2& start, double firstShare)
 RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
 {
   constexpr double kLastShare = 0.25, kSettled = 0.1;  // of the gates
+  constexpr double kMost = 0.5;                        // of the rays
   constexpr int kMostRepeats = 2;
   const int rounds = match_.options.reassociations;
   RefinedPose pose;
@@ -46,13 +47,13 @@ RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
     const double share = std::ldexp(firstShare, -round);
     const Pose2 motion = associate(share, false, pose);
     if (hasTooFew(pose)) return pose;
-    if (pairsMostRays(pose) && isWithin(motion, share * kSettled)) break;
+    if (match_.pairsMoreThan(kMost, pose) && isWithin(motion, share * kSettled)) break;
   }
   const double lastShare = rounds > 1 ? kLastShare : firstShare;
   for (int repeat = 0; repeat <= kMostRepeats; ++repeat)
   {
     const Pose2 motion = associate(lastShare, true, pose);
-    if (!pairsMostRays(pose) || isWithin(motion, lastShare * kSettled)) break;
+    if (!match_.pairsMoreThan(kMost, pose) || isWithin(motion, lastShare * kSettled)) break;
   }
   return pose;
 }
@@ -136,11 +137,6 @@ void Refinement::askBestKnownPair(RefinedPose& pose) const
 bool Refinement::hasTooFew(const RefinedPose& pose) const
 {
   return pose.associations < match_.options.minAssociations;
-}
-
-bool Refinement::pairsMostRays(const RefinedPose& pose) const
-{
-  return 2 * pose.associations > match_.buffers.current.scan->rays();
 }
 
 /** Whether a motion is small beside this share of the gates. */

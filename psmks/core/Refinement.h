@@ -25,7 +25,6 @@ class Refinement
   void askBestKnownPair(RefinedPose& pose) const;
 
   bool hasTooFew(const RefinedPose& pose) const;
-  bool pairsMostRays(const RefinedPose& pose) const;
   bool isWithin(const Pose2& motion, double share) const;
   SolverLimits finalLimits() const;
   SolverLimits limitsWithin(const PairingGates& gates) const;

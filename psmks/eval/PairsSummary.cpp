@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/ChiSquared.h>
 #include <psmks/eval/PairsSummary.h>
 #include <psmks/eval/Statistics.h>
 

@@ -18,9 +18,4 @@ double mean(const std::vector<double>& values);
 
 /** Share of the values that are at most `limit`; NaN where there are no values. */
 double shareBelow(const std::vector<double>& values, double limit);
-
-/** Value of the chi-squared distribution that is exceeded with a probability of 5 %, for 2 and 3
- *  degrees of freedom: the squared radius of a 95 % ellipse and of a 95 % ellipsoid. */
-constexpr double kChi2At95With2Dof = 5.991464547;
-constexpr double kChi2At95With3Dof = 7.814727903;
 }  // namespace psmks
