@@ -21,8 +21,10 @@ struct Tolerance
 // partner in one match and none in the other.
 constexpr Tolerance kReassociated{2e-4, degToRad(2e-3)};
 
-// With the same partners both solvers have the same least squares to solve.
-constexpr Tolerance kSamePartners{1e-6, 1e-6};
+// With the same partners both solvers have the same least squares to solve, and Gauss-Newton the
+// same solution but for the step at which it stops.
+constexpr double kStop = 1e-8;  // m and rad
+constexpr Tolerance kSamePartners{10 * kStop, 10 * kStop};
 
 /** Whole matches with Ceres against whole matches without, on random pairs in an office. */
 void expectSameMatches(const MatcherOptions& closedForm, const MatcherOptions& ceres,
@@ -58,12 +60,12 @@ TEST(CeresMatch, OfTheJointSchemeIsThatOfGaussNewton)
   expectSameMatches({}, ceres, kReassociated);
 }
 
-TEST(CeresMatch, OfTheJointSchemeWithOneAssociationIsThatOfGaussNewtonToTheMicrometre)
+TEST(CeresMatch, OfTheJointSchemeWithOneAssociationIsThatOfGaussNewtonToTheLastStep)
 {
   MatcherOptions gaussNewton;
   gaussNewton.joint.reassociations = 1;
   gaussNewton.joint.maxIterations = 100;
-  gaussNewton.joint.stopTranslation_m = gaussNewton.joint.stopRotation_rad = 1e-8;
+  gaussNewton.joint.stopTranslation_m = gaussNewton.joint.stopRotation_rad = kStop;
   MatcherOptions ceres = gaussNewton;
   ceres.joint.solver = JointSolver::Ceres;
   expectSameMatches(gaussNewton, ceres, kSamePartners);
