@@ -13,28 +13,6 @@ Pose2 moved(const Pose2& T, const Eigen::Vector2d& by_m)
 {
   return {T.x_m + by_m.x(), T.y_m + by_m.y(), T.phi_rad};
 }
-
-/** Of scores in a row the highest maxima, highest first, among those with a vote. */
-void keepPeaks(std::vector<Hypothesis>& row)
-{
-  constexpr std::size_t kMost = 2;
-  constexpr double kAsGood = 0.05;
-  double best = 0;
-  for (const Hypothesis& place : row) best = std::max(best, place.score);
-  const auto notAbove = [&](std::size_t i, double score)
-  { return i >= row.size() || row[i].score <= score; };
-  std::size_t peaks = 0;
-  for (std::size_t i = 0; i < row.size(); ++i)
-  {
-    const double own = row[i].score;
-    if (!notAbove(i - 1, own) || !notAbove(i + 1, own) || own <= best - kAsGood) row[i].votes = 0;
-    peaks += row[i].votes > 0;
-  }
-  std::sort(row.begin(), row.end(),
-            [](const Hypothesis& a, const Hypothesis& b)
-            { return a.votes != b.votes ? a.votes > b.votes : a.score > b.score; });
-  row.resize(std::min(peaks, kMost));
-}
 }  // namespace
 
 /** A start that explained more before was drawn to lines that are not its own - the other face of a
@@ -85,22 +63,44 @@ void CandidateSearch::searchFurther()
     slide();
 }
 
+void CandidateSearch::reserve()
+{
+  const JointOptions& o = match_.options;
+  if (match_.guessPrior)
+    match_.buffers.wideSearch.reserve(o.searchRadius_m, o.searchAngle_rad);
+  else
+    match_.buffers.wideSearch.reserve(o.wideRadius_m, o.wideAngle_rad);
+}
+
 void CandidateSearch::searchWide()
 {
-  constexpr int kTimes = 3;            // as many angles and starts as near the guess
+  constexpr int kTimesUnmeasured = 3;  // as many angles and starts as near the guess
   constexpr double kMoreFarOff = 0.1;  // of the rays than an acceptable pose near the guess
   const RefinedPose nearGuess = best_;
   const JointOptions& options = match_.options;
   JointBuffers& buffers = match_.buffers;
+  const int times = match_.guessPrior ? 1 : kTimesUnmeasured;
+  const WideLimits limits = wideLimits();
   buffers.hypotheses.clear();
-  propose({options.wideRadius_m, options.wideAngle_rad, kTimes * options.votedAngles});
+  propose({limits.radius_m, limits.angle_rad, times * options.votedAngles});
   Stopwatch watch;
-  buffers.wideSearch.propose(match_.scores, match_.guess.T_ref_cur, options.wideRadius_m,
-                             options.wideAngle_rad, buffers.hypotheses);
+  buffers.wideSearch.propose(match_.scores, match_.guess.T_ref_cur, limits, buffers.hypotheses);
   match_.result.times.search_s += watch.lap_s();
-  considerMostPromising(kTimes * options.refinedHypotheses);
+  considerMostPromising(times * options.refinedHypotheses);
   if (judge_.isAcceptable(nearGuess) && best_.score < nearGuess.score + kMoreFarOff)
     best_ = nearGuess;
+}
+
+/** All that a measured guess leaves open; much where nobody measured. */
+WideLimits CandidateSearch::wideLimits() const
+{
+  constexpr double kSigmas = 3;
+  constexpr std::size_t kFollowed = 80, kFollowedMeasured = 16;
+  const JointOptions& o = match_.options;
+  if (!match_.guessPrior) return {o.wideRadius_m, o.wideAngle_rad, kFollowed};
+  const Eigen::Matrix3d& C = *match_.guess.covariance;
+  return {std::min(o.searchRadius_m, kSigmas * std::sqrt(std::max(C(0, 0), C(1, 1)))),
+          std::min(o.searchAngle_rad, kSigmas * std::sqrt(C(2, 2))), kFollowedMeasured};
 }
 
 /** What segment angles and line intersections vote for. */
@@ -119,7 +119,7 @@ void CandidateSearch::considerMostPromising(int most)
   constexpr double kHopeless = 0.75;  // promise, as a share of the best score, not worth a look
   Stopwatch watch;
   std::vector<Hypothesis>& starts = match_.buffers.hypotheses;
-  for (Hypothesis& h : starts) h.score = promise(h.T_ref_cur);
+  for (Hypothesis& h : starts) h.score = promise_.of(h.T_ref_cur);
   std::sort(starts.begin(), starts.end(),
             [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
   match_.result.times.search_s += watch.lap_s();
@@ -131,20 +131,6 @@ void CandidateSearch::considerMostPromising(int most)
   }
 }
 
-/** The rough score of a start, less where it is remote: of starts that explain the scans alike - a
- * square room looks the same four ways - the one nearer the guess goes first. At the limits of the
- * search the score counts this much less. */
-double CandidateSearch::promise(const Pose2& T_ref_cur) const
-{
-  constexpr double kAtLimits = 0.05;
-  const Pose2 T_guess_start = match_.guess.T_ref_cur.inverse() * T_ref_cur;
-  const double remoteness = kAtLimits *
-                            (std::abs(T_guess_start.phi_rad) / match_.options.searchAngle_rad +
-                             T_guess_start.translation().norm() / match_.options.searchRadius_m) /
-                            2;
-  return match_.scores.roughScore(T_ref_cur) - remoteness;
-}
-
 /** Along a wall with little else to see, lines leave open where a pose is, and wrong pairs may
  * hold it anywhere. Single rays then know better: the places along the direction that is known
  * worst are scored, and those that explain more than the best pose so far, or about as much, are
@@ -152,7 +138,17 @@ double CandidateSearch::promise(const Pose2& T_ref_cur) const
  * little in common may fit anywhere by chance. */
 void CandidateSearch::slide()
 {
-  findPlacesAlong();
+  constexpr double kSame = 0.985;  // cosine of 10 degrees
+  const Eigen::Vector2d weakest = best_.observability.weakDirection;
+  slideAlong(weakest);
+  const Eigen::Vector2d walls = directionOfWalls(match_.buffers.reference.scan->segments);
+  if (std::abs(walls.dot(weakest)) < kSame) slideAlong(walls);
+}
+
+void CandidateSearch::slideAlong(const Eigen::Vector2d& direction)
+{
+  if (judge_.isConvincing(best_)) return;
+  proposeAlong(direction, judge_.mayBeFarOff(best_) ? farAlong() : nearAlong());
   for (const Hypothesis& place : match_.buffers.hypotheses)
   {
     if (judge_.isConvincing(best_)) return;
@@ -164,30 +160,28 @@ void CandidateSearch::challenge()
 {
   constexpr double kAside_m = 0.2;
   const Pose2 held = best_.T_ref_cur;
-  const Eigen::Vector2d aside_m = kAside_m * best_.observability.weakDirection;
-  findPlacesAlong();
-  consider(moved(held, aside_m));
-  consider(moved(held, -aside_m));
+  const Eigen::Vector2d direction = best_.observability.weakDirection;
+  proposeAlong(direction, nearAlong());
+  consider(moved(held, kAside_m * direction));
+  consider(moved(held, -kAside_m * direction));
   for (const Hypothesis& place : match_.buffers.hypotheses) consider(place.T_ref_cur);
 }
 
-/** Leaves in the hypotheses the most promising places along the direction in which the best pose is
- * known worst, but for that pose itself. */
-void CandidateSearch::findPlacesAlong()
+void CandidateSearch::proposeAlong(const Eigen::Vector2d& direction, const AlongLimits& limits)
 {
-  constexpr double kStep_m = 0.1;
   Stopwatch watch;
-  const Eigen::Vector2d step_m = kStep_m * best_.observability.weakDirection;
-  const int reach = static_cast<int>(match_.options.searchRadius_m / kStep_m);
-  std::vector<Hypothesis>& places = match_.buffers.hypotheses;
-  places.clear();
-  for (int k = -reach; k <= reach; ++k)
-  {
-    const Pose2 T = moved(best_.T_ref_cur, k * step_m);
-    const bool isKnown = std::abs(k) <= 1;
-    places.push_back({T, isKnown ? 0.0 : 1.0, promise(T)});
-  }
-  keepPeaks(places);
+  findPlacesAlong(promise_, best_.T_ref_cur, direction, limits, match_.buffers.hypotheses);
   match_.result.times.search_s += watch.lap_s();
+}
+
+AlongLimits CandidateSearch::nearAlong() const
+{
+  return {match_.options.searchRadius_m, 0, 2, 0.05};
+}
+
+/** Far along, what a start promises says less: more of them are refined. */
+AlongLimits CandidateSearch::farAlong() const
+{
+  return {match_.options.wideRadius_m, degToRad(1), 8, 0.15};
 }
 }  // namespace psmks

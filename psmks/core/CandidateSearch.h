@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/core/PlacesAlong.h>
 #include <psmks/core/PoseJudge.h>
 #include <psmks/core/Refinement.h>
 
@@ -12,9 +13,15 @@ class CandidateSearch
 {
  public:
   CandidateSearch(JointMatch& match, const PoseJudge& judge, Refinement& refinement)
-      : match_(match), judge_(judge), refinement_(refinement)
+      : match_(match),
+        judge_(judge),
+        refinement_(refinement),
+        promise_(match.scores, match.guess.T_ref_cur, match.options)
   {
   }
+
+  /** Takes the memory of the widest search for a guess of this kind, so that none takes more. */
+  void reserve();
 
   /** Refines a start and keeps what comes of it if it is the best so far. */
   void consider(const Pose2& start);
@@ -23,8 +30,9 @@ class CandidateSearch
    * pose is convincing. */
   void searchFurther();
 
-  /** Considers poses farther from the guess than searchFurther() does. One of them has to explain
-   * many more rays than an acceptable pose near the guess: rooms look alike from many sides. */
+  /** Considers poses of a grid, where lines vote for nothing: as far about a guess that nobody
+   * measured as the options say, else as far as it may be off. One of them has to explain many more
+   * rays than an acceptable pose that was found before: rooms look alike from many sides. */
   void searchWide();
 
   /** Considers starts beside the best pose and at other good places along the same walls: they come
@@ -42,13 +50,17 @@ class CandidateSearch
   static Pose2 heard(const RefinedPose& candidate);
   void propose(const SearchLimits& limits);
   void considerMostPromising(int most);
+  WideLimits wideLimits() const;
   void slide();
-  void findPlacesAlong();
-  double promise(const Pose2& T_ref_cur) const;
+  void slideAlong(const Eigen::Vector2d& direction);
+  void proposeAlong(const Eigen::Vector2d& direction, const AlongLimits& limits);
+  AlongLimits nearAlong() const;
+  AlongLimits farAlong() const;
 
   JointMatch& match_;
   const PoseJudge& judge_;
   Refinement& refinement_;
+  StartPromise promise_;
   RefinedPose best_;
   int mostAssociations_ = 0;
 };

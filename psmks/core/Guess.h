@@ -17,5 +17,9 @@ struct Guess
    * measurement that enters every normal equation of the joint scheme; absent, it is a starting
    * point and nothing more. */
   std::optional<Eigen::Matrix3d> covariance;
+
+  /** One of several guesses of which most may be wrong: where nothing near it explains the scans,
+   * no grid of poses about it is tried. */
+  bool isTrial = false;
 };
 }  // namespace psmks

@@ -31,18 +31,18 @@ MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedSc
                                MatchTrace* trace)
 {
   fill(buffers, reference, current);
-  if (!guess.covariance) buffers.wideSearch.reserve(options.wideRadius_m, options.wideAngle_rad);
   JointMatch match(guess, options, external, buffers, trace);
   const PoseJudge judge(match);
   Refinement refinement(match);
   CandidateSearch search(match, judge, refinement);
   const RefinedPose& best = search.best();
+  const bool searchesWide = options.wideRadius_m > 0 && !guess.isTrial;
+  if (searchesWide) search.reserve();
 
   tryGuess(match, search);
   if (!judge.isConvincing(best)) search.searchFurther();
-  const bool isMeasured = guess.covariance.has_value();
-  const bool searchesWide = !isMeasured && options.wideRadius_m > 0;
   if (searchesWide && judge.isDoubtful(best)) search.searchWide();
+  const bool isMeasured = guess.covariance.has_value();
   if (!isMeasured && judge.isConvincing(best) && judge.isWeaklyHeld(best)) search.challenge();
   JointConclusion(match, judge, refinement, best).conclude(search.mostAssociations());
   return match.result;

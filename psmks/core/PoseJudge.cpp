@@ -15,8 +15,19 @@ bool PoseJudge::isConvincing(const RefinedPose& pose) const
 
 bool PoseJudge::isDoubtful(const RefinedPose& pose) const
 {
-  constexpr double kMostRays = 0.85, kFewPaired = 0.35;
-  return !isAcceptable(pose) || (pose.score < kMostRays && !match_.pairsMoreThan(kFewPaired, pose));
+  constexpr double kFewPaired = 0.35;
+  return !isAcceptable(pose) || (!explainsMost(pose) && !match_.pairsMoreThan(kFewPaired, pose));
+}
+
+bool PoseJudge::mayBeFarOff(const RefinedPose& pose) const
+{
+  return !explainsMost(pose) || !isPositionFixed(pose);
+}
+
+bool PoseJudge::explainsMost(const RefinedPose& pose) const
+{
+  constexpr double kMostRays = 0.87;
+  return pose.score >= kMostRays;
 }
 
 bool PoseJudge::isAcceptable(const RefinedPose& pose) const

@@ -20,6 +20,10 @@ class PoseJudge
    * be quite another one. */
   bool isDoubtful(const RefinedPose& pose) const;
 
+  /** Whether the true pose may lie far along a wall: much stays unexplained, or the lines leave
+   * open where it is. */
+  bool mayBeFarOff(const RefinedPose& pose) const;
+
   /** Whether so many rays are explained that a match with this pose is accepted: more where it
    * contradicts a measured guess. */
   bool isAcceptable(const RefinedPose& pose) const;
@@ -47,6 +51,7 @@ class PoseJudge
   bool contradictsGuess(const Pose2& T_ref_cur) const;
 
  private:
+  bool explainsMost(const RefinedPose& pose) const;
   bool isPositionFixed(const RefinedPose& pose) const;
   double chi2FromGuess(const Pose2& T_ref_cur) const;
 

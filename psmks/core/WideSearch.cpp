@@ -17,7 +17,6 @@ struct Fineness
 constexpr Fineness kGrid{0.5, degToRad(6), 0.5};
 constexpr Fineness kFiner[] = {{0.25, degToRad(3), 0.3}, {0.12, degToRad(1.5), 0.15}};
 
-constexpr std::size_t kClimbed = 80;  //!< places of the grid that are followed
 constexpr std::ptrdiff_t kProposed = 12;
 
 bool scoresMore(const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; }
@@ -53,11 +52,11 @@ void step(const ScanScores& scores, const Fineness& fine, Hypothesis& place)
 }
 }  // namespace
 
-void WideSearch::propose(const ScanScores& scores, const Pose2& guess_T_ref_cur, double radius_m,
-                         double angle_rad, std::vector<Hypothesis>& hypotheses)
+void WideSearch::propose(const ScanScores& scores, const Pose2& guess_T_ref_cur,
+                         const WideLimits& limits, std::vector<Hypothesis>& hypotheses)
 {
-  scoreGrid(scores, guess_T_ref_cur, radius_m, angle_rad);
-  keepBest(kClimbed, places_);
+  scoreGrid(scores, guess_T_ref_cur, limits);
+  keepBest(limits.followed, places_);
   climb(scores);
   std::sort(places_.begin(), places_.end(), scoresMore);
 
@@ -78,11 +77,11 @@ void WideSearch::reserve(double radius_m, double angle_rad)
   places_.reserve(across * across * headings);
 }
 
-void WideSearch::scoreGrid(const ScanScores& scores, const Pose2& guess_T_ref_cur, double radius_m,
-                           double angle_rad)
+void WideSearch::scoreGrid(const ScanScores& scores, const Pose2& guess_T_ref_cur,
+                           const WideLimits& limits)
 {
-  const int moves = static_cast<int>(radius_m / kGrid.step_m);
-  const int turns = static_cast<int>(angle_rad / kGrid.step_rad);
+  const int moves = static_cast<int>(limits.radius_m / kGrid.step_m);
+  const int turns = static_cast<int>(limits.angle_rad / kGrid.step_rad);
   places_.clear();
   for (int turn = -turns; turn <= turns; ++turn)
     for (int x = -moves; x <= moves; ++x)

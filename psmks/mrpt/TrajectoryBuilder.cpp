@@ -161,7 +161,7 @@ UncertainPose TrajectoryBuilder::measuredMotion(const std::optional<Pose2>& odom
 }
 
 ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, std::size_t reference,
-                                        const UncertainPose& T_ref_cur)
+                                        const UncertainPose& T_ref_cur, bool isTrial)
 {
   const Pose2& mountingRef = scans_[reference].T_robot_sensor;
   const Pose2& mountingCur = current.T_robot_sensor;
@@ -170,7 +170,8 @@ ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, std::size_t re
   ReferenceMatch match;
   match.reference = reference;
   Stopwatch stopwatch;
-  match.result = matcher_->matchToReference(current.scan, Guess{guess.pose, guess.covariance});
+  match.result =
+      matcher_->matchToReference(current.scan, Guess{guess.pose, guess.covariance, isTrial});
   match.time_s = stopwatch.lap_s();
   match.T_ref_cur =
       conjugated({match.result.T_ref_cur, match.result.covariance}, mountingRef, mountingCur);
@@ -214,7 +215,7 @@ std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(const PosedScan& cu
       if (tried++ == most) break;
       matcher_->setReference(scans_[view.keyframe].scan);
       const ReferenceMatch candidate =
-          match(current, view.keyframe, {view.T_keyframe_cur, vagueCovariance()});
+          match(current, view.keyframe, {view.T_keyframe_cur, vagueCovariance()}, true);
       if (policy_.isLink(candidate.result)) found.push_back(candidate);
     }
   };

@@ -51,7 +51,7 @@ class TrajectoryBuilder
   void matchWithoutFaith(PosedScan& current, const UncertainPose& motion);
   UncertainPose measuredMotion(const std::optional<Pose2>& odometry) const;
   ReferenceMatch match(const PosedScan& current, std::size_t reference,
-                       const UncertainPose& T_ref_cur);
+                       const UncertainPose& T_ref_cur, bool isTrial = false);
   bool isNewReference() const;
   void makeReference(std::size_t index);
   void returnTo(std::size_t keyframe);

@@ -1,0 +1,86 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/core/PlacesAlong.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+/** The promise of a place, or of the heading beside its own that promises clearly more. */
+Hypothesis bestHeading(const StartPromise& promise, const Pose2& T_ref_cur, double turn_rad)
+{
+  constexpr double kClearlyMore = 0.01;
+  Hypothesis best{T_ref_cur, 0, promise.of(T_ref_cur)};
+  for (const double by_rad : {-turn_rad, turn_rad})
+  {
+    Pose2 turned = T_ref_cur;
+    turned.phi_rad = wrapAngle(T_ref_cur.phi_rad + by_rad);
+    const double score = promise.of(turned);
+    if (score > best.score + kClearlyMore) best = {turned, 0, score};
+  }
+  return best;
+}
+
+/** Of promises in a row the highest maxima, highest first, among those with a vote. */
+void keepPeaks(const AlongLimits& limits, std::vector<Hypothesis>& row)
+{
+  double best = 0;
+  for (const Hypothesis& place : row) best = std::max(best, place.score);
+  const auto notAbove = [&](std::size_t i, double score)
+  { return i >= row.size() || row[i].score <= score; };
+  std::size_t peaks = 0;
+  for (std::size_t i = 0; i < row.size(); ++i)
+  {
+    const double own = row[i].score;
+    const bool isPeak = notAbove(i - 1, own) && notAbove(i + 1, own);
+    if (!isPeak || own <= best - limits.missedPromise) row[i].votes = 0;
+    peaks += row[i].votes > 0;
+  }
+  std::sort(row.begin(), row.end(),
+            [](const Hypothesis& a, const Hypothesis& b)
+            { return a.votes != b.votes ? a.votes > b.votes : a.score > b.score; });
+  row.resize(std::min(peaks, limits.most));
+}
+}  // namespace
+
+void findPlacesAlong(const StartPromise& promise, const Pose2& T_ref_cur,
+                     const Eigen::Vector2d& direction, const AlongLimits& limits,
+                     std::vector<Hypothesis>& places)
+{
+  constexpr double kStep_m = 0.1;
+  constexpr double kFar_m =
+      0.8;  // from here on walls may be others than those of the pose's heading
+  const int reach = static_cast<int>(limits.reach_m / kStep_m);
+  places.clear();
+  for (int k = -reach; k <= reach; ++k)
+  {
+    const double along_m = kStep_m * k;
+    const Pose2 place{T_ref_cur.x_m + along_m * direction.x(),
+                      T_ref_cur.y_m + along_m * direction.y(), T_ref_cur.phi_rad};
+    const bool isTurned = limits.turn_rad > 0 && std::abs(along_m) > kFar_m;
+    places.push_back(isTurned ? bestHeading(promise, place, limits.turn_rad)
+                              : Hypothesis{place, 0, promise.of(place)});
+    const bool isKnown = std::abs(k) <= 1;
+    places.back().votes = isKnown ? 0 : 1;
+  }
+  keepPeaks(limits, places);
+}
+
+Eigen::Vector2d directionOfWalls(const std::vector<Segment>& segments)
+{
+  // A wall has no front end: directions are averaged at twice their angle.
+  double sumX = 0, sumY = 0;
+  for (const Segment& segment : segments)
+  {
+    const Eigen::Vector2d along_m = segment.lastEnd_m - segment.firstEnd_m;
+    const double length_m = along_m.norm();
+    if (!(length_m > 0)) continue;
+    sumX += (along_m.x() * along_m.x() - along_m.y() * along_m.y()) / length_m;
+    sumY += 2 * along_m.x() * along_m.y() / length_m;
+  }
+  const double angle_rad = 0.5 * std::atan2(sumY, sumX);
+  return {std::cos(angle_rad), std::sin(angle_rad)};
+}
+}  // namespace psmks

@@ -1,0 +1,28 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/Angle.h>
+#include <psmks/core/Hypotheses.h>
+#include <psmks/core/StartPromise.h>
+
+#include <vector>
+
+namespace psmks
+{
+/** How far along a wall, and how thoroughly, places are looked for. */
+struct AlongLimits
+{
+  double reach_m;        //!< to either side
+  double turn_rad;       //!< far along, a heading wrong by this much is tried too; 0: none
+  std::size_t most;      //!< places kept
+  double missedPromise;  //!< those that promise less than the best by more are dropped
+};
+
+/** The most promising places on a line through a pose, best first, but for that pose itself. */
+void findPlacesAlong(const StartPromise& promise, const Pose2& T_ref_cur,
+                     const Eigen::Vector2d& direction, const AlongLimits& limits,
+                     std::vector<Hypothesis>& places);
+
+/** The direction in which most length of wall runs; any where there is none. */
+Eigen::Vector2d directionOfWalls(const std::vector<Segment>& segments);
+}  // namespace psmks
