@@ -182,6 +182,7 @@ AlongLimits CandidateSearch::nearAlong() const
 /** Far along, what a start promises says less: more of them are refined. */
 AlongLimits CandidateSearch::farAlong() const
 {
-  return {match_.options.wideRadius_m, degToRad(1), 8, 0.15};
+  return {std::max(match_.options.searchRadius_m, match_.options.wideRadius_m), degToRad(1), 8,
+          0.15};
 }
 }  // namespace psmks
