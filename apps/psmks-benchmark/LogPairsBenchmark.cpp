@@ -7,6 +7,7 @@ namespace psmks
 LogPairsBenchmark::LogPairsBenchmark(CLI::App& app, const PairError& success)
     : success_m_(success.translation_m), success_deg_(radToDeg(success.rotation_rad))
 {
+  options_.ofOneScanner = true;
   options_.matchers = {"psmks",  "psmks-paper", "psm", kBaseline, "icp-classic-tuned",
                        "icp-lm", kNoMatcher};
   input_.addLogFlags(app);

@@ -17,7 +17,10 @@ class GuessRuns
  public:
   GuessRuns(const std::vector<ScanPair>& pairs, const Guesses& guesses,
             const PairsBenchmarkOptions& options)
-      : pairs_(pairs), guesses_(guesses.ofPair), sequential_(options.sequential)
+      : pairs_(pairs),
+        guesses_(guesses.ofPair),
+        sequential_(options.sequential),
+        ofOneScanner_(options.ofOneScanner)
   {
     for (const auto& name : options.matchers)
     {
@@ -64,7 +67,10 @@ class GuessRuns
 
   MatchResult matchRaw(std::size_t m, std::size_t p)
   {
-    return matchers_[m]->match(pairs_[p].reference, pairs_[p].current, guesses_[p]);
+    const ScanPair& pair = pairs_[p];
+    if (!ofOneScanner_) return matchers_[m]->match(pair.reference, pair.current, guesses_[p]);
+    matchers_[m]->setReference(pair.reference);
+    return matchers_[m]->matchToReference(pair.current, guesses_[p]);
   }
 
   double sequentialTime_s(std::size_t m, std::size_t p)
@@ -77,7 +83,7 @@ class GuessRuns
 
   const std::vector<ScanPair>& pairs_;
   const std::vector<Guess>& guesses_;
-  bool sequential_;
+  bool sequential_, ofOneScanner_;
   std::vector<std::unique_ptr<PairMatcher>> matchers_;
   std::vector<PairsRun> runs_;
 };

@@ -17,7 +17,9 @@ struct PairsBenchmarkOptions
   std::vector<std::string> matchers;
   MatcherOptions matcherOptions;
   int repeats = 1;
-  bool sequential = false;  //!< also time matches against a reference that is prepared beforehand
+  bool sequential = false;    //!< also time matches against a reference that is prepared beforehand
+  bool ofOneScanner = false;  //!< matched one after the other as those of a log, so that a matcher
+                              //!< may learn of the scanner's noise
 };
 
 /** Every matcher on every pair from every kind of guess.

@@ -15,7 +15,9 @@ JointMatch::JointMatch(const Guess& guess_, const JointOptions& options_,
       trace(trace_),
       rangeSigma_m(std::max(buffers_.reference.scan->typicalRangeSigma_m(),
                             buffers_.current.scan->typicalRangeSigma_m())),
-      scores(buffers_.reference, buffers_.current, rangeSigma_m)
+      scores(buffers_.reference, buffers_.current,
+             std::max({rangeSigma_m, buffers_.reference.scan->shownRangeSigma_m(),
+                       buffers_.current.scan->shownRangeSigma_m()}))
 {
   result.T_ref_cur = guess.T_ref_cur;
   if (!guess.covariance) return;

@@ -62,10 +62,11 @@ Matcher::Matcher(MatcherOptions options, std::shared_ptr<const ExternalSolvers> 
         "to the matcher");
 }
 
-void Matcher::segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedScan& result) const
+void Matcher::segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedScan& result,
+                      const ScannerNoise& scanner) const
 {
   segmentScan(scan, options_.preprocessing, options_.segmentation, workspace.buffers().segmentation,
-              result);
+              result, scanner);
 }
 
 MatchResult Matcher::match(const SegmentedScan& reference, const SegmentedScan& current,

@@ -7,6 +7,7 @@
 #include <psmks/core/MatchTrace.h>
 #include <psmks/core/MatcherOptions.h>
 #include <psmks/core/Scan.h>
+#include <psmks/core/ScannerNoise.h>
 #include <psmks/core/SegmentedScan.h>
 
 #include <memory>
@@ -45,7 +46,8 @@ class Matcher
 
   /** Preprocessing and segmentation by these options; see segmentScan(). A scan that serves as
    *  reference several times is segmented once. */
-  void segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedScan& result) const;
+  void segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedScan& result,
+               const ScannerNoise& scanner = {}) const;
 
   /** Pose of the current scan in the frame of the reference scan. Bad data never throws: see
    *  MatchStatus.

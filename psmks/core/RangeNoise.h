@@ -42,5 +42,10 @@ struct RangeNoise
   {
     return {newSigma_m, sigmaPerMetre_m * newSigma_m / sigma_m};
   }
+
+  bool operator!=(const RangeNoise& other) const
+  {
+    return sigma_m != other.sigma_m || sigmaPerMetre_m != other.sigmaPerMetre_m;
+  }
 };
 }  // namespace psmks

@@ -227,7 +227,7 @@ class Finish
 
 void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
                  const SegmentationOptions& options, SegmentationBuffers& buffers,
-                 SegmentedScan& result)
+                 SegmentedScan& result, const ScannerNoise& scanner)
 {
   cleanScan(scan, preprocessing, result);
   medianFilter(preprocessing.medianWindow, buffers.scratch, result);
@@ -235,7 +235,9 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
   result.rangeNoise = statedNoise(scan, options);
   rays.load(result);
   if (options.estimateRangeSigma && scan.rangeSigma_m <= 0) allowForRounding(result, rays);
-  if (options.estimateRangeSigma) rays.noise = shownNoise(rays, buffers.scratch);
+  result.shownNoise = options.estimateRangeSigma ? shownNoise(rays, buffers.scratch) : rays.noise;
+  result.showsMoreNoise = result.shownNoise != rays.noise;
+  if (scanner.isBelieved()) rays.noise = result.shownNoise;
   result.rangeNoise = rays.noise;
   if (result.grid.closed()) rays.startAt(result, strongestBreak(rays));
   rays.computeMoments();

@@ -3,6 +3,7 @@
 
 #include <psmks/core/LineRuns.h>
 #include <psmks/core/Scan.h>
+#include <psmks/core/ScannerNoise.h>
 #include <psmks/core/SegmentationOptions.h>
 #include <psmks/core/SegmentedScan.h>
 
@@ -26,8 +27,9 @@ struct SegmentationBuffers
  * Never throws for bad data: a scan without a valid ray gives no segments. Allocates nothing once
  * `buffers` and `result` have served a scan of as many rays.
  *
- * @param[out] result the cleaned scan with its segments; whatever it held is replaced */
+ * @param[out] result the cleaned scan with its segments; whatever it held is replaced
+ * @param scanner what other scans of the scanner have shown; by default a scan is believed */
 void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
                  const SegmentationOptions& options, SegmentationBuffers& buffers,
-                 SegmentedScan& result);
+                 SegmentedScan& result, const ScannerNoise& scanner = {});
 }  // namespace psmks

@@ -16,13 +16,13 @@ bool SegmentedScan::hasValidRay() const
   return std::any_of(valid.begin(), valid.end(), [](auto v) { return v != 0; });
 }
 
-double SegmentedScan::typicalRangeSigma_m() const
+double SegmentedScan::typicalSigma_m(const RangeNoise& noise) const
 {
-  const int returns = rangeNoise.grows() ? validRays() : 0;
-  if (returns == 0) return rangeNoise.sigma_m;
+  const int returns = noise.grows() ? validRays() : 0;
+  if (returns == 0) return noise.sigma_m;
   double sum_m2 = 0;
   for (int ray = 0; ray < rays(); ++ray)
-    if (isValid(ray)) sum_m2 += rangeVarianceOf_m2(ray);
+    if (isValid(ray)) sum_m2 += noise.varianceAt_m2(range_m[static_cast<std::size_t>(ray)]);
   return std::sqrt(sum_m2 / returns);
 }
 

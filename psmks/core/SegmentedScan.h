@@ -20,7 +20,9 @@ struct SegmentedScan
   BeamGrid grid;
   std::vector<double> range_m;      //!< one per ray; 0 where invalid, finite and positive elsewhere
   std::vector<std::uint8_t> valid;  //!< one per ray
-  RangeNoise rangeNoise;            //!< the one that was used
+  RangeNoise rangeNoise;            //!< the one that lines were found with
+  RangeNoise shownNoise;            //!< the one that the scan shows; clutter looks like it
+  bool showsMoreNoise = false;      //!< shownNoise is clearly more than stated
   double maxRange_m = 0;            //!< as in Scan
   double stamp_s = 0;
   std::vector<Segment> segments;
@@ -37,7 +39,10 @@ struct SegmentedScan
   }
 
   /** Standard deviation of a range: root mean square over the valid rays. */
-  double typicalRangeSigma_m() const;
+  double typicalRangeSigma_m() const { return typicalSigma_m(rangeNoise); }
+
+  /** The same by the noise that the scan shows. */
+  double shownRangeSigma_m() const { return typicalSigma_m(shownNoise); }
 
   /** The measured end point of a valid ray. */
   Eigen::Vector2d point_m(int ray) const
@@ -61,5 +66,8 @@ struct SegmentedScan
 
   /** Range on the segment's line where the ray has one (de-noised), else the measured range. */
   double denoisedRange_m(int ray) const;
+
+ private:
+  double typicalSigma_m(const RangeNoise& noise) const;
 };
 }  // namespace psmks

@@ -29,7 +29,8 @@ class PairMatcher
   /** Keeps a reference for the calls of matchToReference() that follow. */
   virtual void setReference(const Scan& reference) { reference_ = reference; }
 
-  /** As match() against the last reference that was set, whose preparation is not repeated. */
+  /** As match() against the last reference that was set, whose preparation is not repeated. The
+   * scans are those of one scanner: a method may learn of its noise. */
   virtual MatchResult matchToReference(const Scan& current, const Guess& guess)
   {
     return match(reference_, current, guess);

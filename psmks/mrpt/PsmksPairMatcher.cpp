@@ -27,13 +27,14 @@ class PsmksPairMatcher : public PairMatcher
 
   void setReference(const Scan& reference) override
   {
-    matcher_.segment(reference, workspace_, reference_);
+    matcher_.segment(reference, workspace_, reference_, scanner_);
   }
 
   MatchResult matchToReference(const Scan& current, const Guess& guess) override
   {
     Stopwatch stopwatch;
-    matcher_.segment(current, workspace_, current_);
+    matcher_.segment(current, workspace_, current_, scanner_);
+    scanner_.add(current_.showsMoreNoise);
     const double segmentation_s = stopwatch.lap_s();
 
     MatchResult result = matcher_.match(reference_, current_, guess, workspace_);
@@ -46,6 +47,7 @@ class PsmksPairMatcher : public PairMatcher
   Matcher matcher_;
   MatcherWorkspace workspace_;
   SegmentedScan reference_, current_;
+  ScannerNoise scanner_;
 };
 
 std::unique_ptr<PairMatcher> makePsmks(const std::string& name, MatcherOptions options)
