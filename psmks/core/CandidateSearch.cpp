@@ -65,42 +65,61 @@ void CandidateSearch::searchFurther()
 
 void CandidateSearch::reserve()
 {
-  const JointOptions& o = match_.options;
-  if (match_.guessPrior)
-    match_.buffers.wideSearch.reserve(o.searchRadius_m, o.searchAngle_rad);
-  else
-    match_.buffers.wideSearch.reserve(o.wideRadius_m, o.wideAngle_rad);
+  match_.buffers.wideSearch.reserve(match_.options.wideRadius_m, match_.options.wideAngle_rad);
 }
 
 void CandidateSearch::searchWide()
 {
-  constexpr int kTimesUnmeasured = 3;  // as many angles and starts as near the guess
   constexpr double kMoreFarOff = 0.1;  // of the rays than an acceptable pose near the guess
   const RefinedPose nearGuess = best_;
-  const JointOptions& options = match_.options;
-  JointBuffers& buffers = match_.buffers;
-  const int times = match_.guessPrior ? 1 : kTimesUnmeasured;
-  const WideLimits limits = wideLimits();
-  buffers.hypotheses.clear();
-  propose({limits.radius_m, limits.angle_rad, times * options.votedAngles});
-  Stopwatch watch;
-  buffers.wideSearch.propose(match_.scores, match_.guess.T_ref_cur, limits, buffers.hypotheses);
-  match_.result.times.search_s += watch.lap_s();
-  considerMostPromising(times * options.refinedHypotheses);
+  tryGrid(match_.guessPrior ? withinGuess() : farFromGuess());
   if (judge_.isAcceptable(nearGuess) && best_.score < nearGuess.score + kMoreFarOff)
     best_ = nearGuess;
+  if (match_.guessPrior && !judge_.isAcceptable(best_)) searchDespiteGuess();
 }
 
-/** All that a measured guess leaves open; much where nobody measured. */
-WideLimits CandidateSearch::wideLimits() const
+/** The wheels may have slipped: the guess then is no measurement of this motion. */
+void CandidateSearch::searchDespiteGuess()
+{
+  const RefinedPose nearGuess = best_;
+  const std::optional<PriorTerm> measured = match_.guessPrior;
+  match_.guessPrior.reset();
+  tryGrid(farFromGuess());
+  if (judge_.explainsMost(best_)) return;
+  best_ = nearGuess;
+  match_.guessPrior = measured;
+}
+
+void CandidateSearch::tryGrid(const WideEffort& effort)
+{
+  const JointOptions& options = match_.options;
+  JointBuffers& buffers = match_.buffers;
+  buffers.hypotheses.clear();
+  propose({effort.limits.radius_m, effort.limits.angle_rad, effort.times * options.votedAngles});
+  Stopwatch watch;
+  buffers.wideSearch.propose(match_.scores, match_.guess.T_ref_cur, effort.limits,
+                             buffers.hypotheses);
+  match_.result.times.search_s += watch.lap_s();
+  considerMostPromising(effort.times * options.refinedHypotheses);
+}
+
+/** All that a measured guess leaves open. */
+CandidateSearch::WideEffort CandidateSearch::withinGuess() const
 {
   constexpr double kSigmas = 3;
-  constexpr std::size_t kFollowed = 80, kFollowedMeasured = 16;
+  constexpr std::size_t kFollowed = 16;
   const JointOptions& o = match_.options;
-  if (!match_.guessPrior) return {o.wideRadius_m, o.wideAngle_rad, kFollowed};
   const Eigen::Matrix3d& C = *match_.guess.covariance;
-  return {std::min(o.searchRadius_m, kSigmas * std::sqrt(std::max(C(0, 0), C(1, 1)))),
-          std::min(o.searchAngle_rad, kSigmas * std::sqrt(C(2, 2))), kFollowedMeasured};
+  return {{std::min(o.searchRadius_m, kSigmas * std::sqrt(std::max(C(0, 0), C(1, 1)))),
+           std::min(o.searchAngle_rad, kSigmas * std::sqrt(C(2, 2))), kFollowed},
+          1};
+}
+
+CandidateSearch::WideEffort CandidateSearch::farFromGuess() const
+{
+  constexpr std::size_t kFollowed = 80;
+  constexpr int kTimes = 3;
+  return {{match_.options.wideRadius_m, match_.options.wideAngle_rad, kFollowed}, kTimes};
 }
 
 /** What segment angles and line intersections vote for. */

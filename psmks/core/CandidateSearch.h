@@ -31,8 +31,10 @@ class CandidateSearch
   void searchFurther();
 
   /** Considers poses of a grid, where lines vote for nothing: as far about a guess that nobody
-   * measured as the options say, else as far as it may be off. One of them has to explain many more
-   * rays than an acceptable pose that was found before: rooms look alike from many sides. */
+   * measured as the options say, else as far as it may be off, and where that leaves nothing
+   * acceptable, as if nobody had measured. One of them has to explain many more rays than an
+   * acceptable pose that was found before, or most where it was found despite the guess: rooms look
+   * alike from many sides. */
   void searchWide();
 
   /** Considers starts beside the best pose and at other good places along the same walls: they come
@@ -46,11 +48,20 @@ class CandidateSearch
   int mostAssociations() const { return mostAssociations_; }
 
  private:
+  struct WideEffort
+  {
+    WideLimits limits;
+    int times;  //!< as many angles and starts as near the guess
+  };
+
   void keepIfBest(const RefinedPose& candidate);
   static Pose2 heard(const RefinedPose& candidate);
   void propose(const SearchLimits& limits);
   void considerMostPromising(int most);
-  WideLimits wideLimits() const;
+  void searchDespiteGuess();
+  void tryGrid(const WideEffort& effort);
+  WideEffort withinGuess() const;
+  WideEffort farFromGuess() const;
   void slide();
   void slideAlong(const Eigen::Vector2d& direction);
   void proposeAlong(const Eigen::Vector2d& direction, const AlongLimits& limits);

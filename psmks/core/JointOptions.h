@@ -24,7 +24,7 @@ struct JointOptions
   int votedAngles = 4;           //!< peaks of the vote that are followed
   int refinedHypotheses = 8;     //!< starts that go through Gauss-Newton at most
   double confidentScore = 0.92;  //!< a score from which no further start is tried
-  double agreedScore = 0.82;     //!< the same for a pose that a measured guess confirms
+  double agreedScore = 0.86;     //!< the same for a pose that a measured guess confirms
   // Refinement
   double distanceGate_m = 0.20;         //!< between associated lines, first association
   double angleGate_rad = degToRad(10);  //!< between associated lines, first association

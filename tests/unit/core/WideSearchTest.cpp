@@ -38,6 +38,23 @@ TEST(WideSearch, IsSwitchedOffByARadiusOfZero)
       << result.report();
 }
 
+TEST(WideSearch, FindsTheRobotWhereItsWheelsSlipped)
+{
+  // The wheels say that it stood still, to 3 cm and 2 degrees; it was pushed about.
+  const Pose2 pushed{0.4, 0.3, degToRad(75)};
+  const BeamGrid grid = BeamGrid::centered(2 * kPi, 360);
+  const Eigen::Vector3d sigma(0.03, 0.03, degToRad(2));
+  Guess guess;
+  guess.covariance = sigma.cwiseAbs2().asDiagonal();
+  const Scan reference = castScan(officeRoom(), {}, grid);
+  const Scan current = castScan(officeRoom(), pushed, grid);
+  MatcherWorkspace workspace;
+  const MatchResult result = Matcher().match(reference, current, guess, workspace);
+  ASSERT_TRUE(result.usable()) << result.report();
+  EXPECT_LT((result.T_ref_cur.translation() - pushed.translation()).norm(), 0.01);
+  EXPECT_LT(std::abs(wrapAngle(result.T_ref_cur.phi_rad - pushed.phi_rad)), degToRad(0.2));
+}
+
 //        .     .           small boxes of a hand's breadth to 45 cm about a scanner that sees half
 //    '      o      .       round: hardly any is seen by enough rays to be a line that votes
 //       .       '
