@@ -65,7 +65,9 @@ void CandidateSearch::searchFurther()
 
 void CandidateSearch::reserve()
 {
-  match_.buffers.wideSearch.reserve(match_.options.wideRadius_m, match_.options.wideAngle_rad);
+  const JointOptions& o = match_.options;
+  const double radius_m = match_.guessPrior ? o.searchRadius_m : o.wideRadius_m;
+  match_.buffers.wideSearch.reserve(radius_m, o.wideAngle_rad);
 }
 
 void CandidateSearch::searchWide()
@@ -82,11 +84,13 @@ void CandidateSearch::searchWide()
 void CandidateSearch::searchDespiteGuess()
 {
   const RefinedPose nearGuess = best_;
+  const int mostNearGuess = mostAssociations_;
   const std::optional<PriorTerm> measured = match_.guessPrior;
   match_.guessPrior.reset();
-  tryGrid(farFromGuess());
-  if (judge_.explainsMost(best_)) return;
+  tryGrid(turnedFromGuess());
+  if (judge_.isBeyondDoubt(best_)) return;
   best_ = nearGuess;
+  mostAssociations_ = mostNearGuess;
   match_.guessPrior = measured;
 }
 
@@ -117,9 +121,20 @@ CandidateSearch::WideEffort CandidateSearch::withinGuess() const
 
 CandidateSearch::WideEffort CandidateSearch::farFromGuess() const
 {
+  return thorough(match_.options.wideRadius_m);
+}
+
+/** Wheels that slip turn the guess far more than they move it. */
+CandidateSearch::WideEffort CandidateSearch::turnedFromGuess() const
+{
+  return thorough(match_.options.searchRadius_m);
+}
+
+CandidateSearch::WideEffort CandidateSearch::thorough(double radius_m) const
+{
   constexpr std::size_t kFollowed = 80;
   constexpr int kTimes = 3;
-  return {{match_.options.wideRadius_m, match_.options.wideAngle_rad, kFollowed}, kTimes};
+  return {{radius_m, match_.options.wideAngle_rad, kFollowed}, kTimes};
 }
 
 /** What segment angles and line intersections vote for. */

@@ -33,8 +33,8 @@ class CandidateSearch
   /** Considers poses of a grid, where lines vote for nothing: as far about a guess that nobody
    * measured as the options say, else as far as it may be off, and where that leaves nothing
    * acceptable, as if nobody had measured. One of them has to explain many more rays than an
-   * acceptable pose that was found before, or most where it was found despite the guess: rooms look
-   * alike from many sides. */
+   * acceptable pose that was found before, or be beyond doubt where it was found despite the guess:
+   * rooms look alike from many sides. */
   void searchWide();
 
   /** Considers starts beside the best pose and at other good places along the same walls: they come
@@ -62,6 +62,8 @@ class CandidateSearch
   void tryGrid(const WideEffort& effort);
   WideEffort withinGuess() const;
   WideEffort farFromGuess() const;
+  WideEffort turnedFromGuess() const;
+  WideEffort thorough(double radius_m) const;
   void slide();
   void slideAlong(const Eigen::Vector2d& direction);
   void proposeAlong(const Eigen::Vector2d& direction, const AlongLimits& limits);

@@ -15,8 +15,18 @@ bool PoseJudge::isConvincing(const RefinedPose& pose) const
 
 bool PoseJudge::isDoubtful(const RefinedPose& pose) const
 {
-  constexpr double kFewPaired = 0.35;
-  return !isAcceptable(pose) || (!explainsMost(pose) && !match_.pairsMoreThan(kFewPaired, pose));
+  return !isAcceptable(pose) || (!explainsMost(pose) && pairsFewRays(pose));
+}
+
+bool PoseJudge::isBeyondDoubt(const RefinedPose& pose) const
+{
+  return explainsMost(pose) && isHeldByLines(pose) && !pairsFewRays(pose);
+}
+
+bool PoseJudge::pairsFewRays(const RefinedPose& pose) const
+{
+  constexpr double kFew = 0.35;
+  return !match_.pairsMoreThan(kFew, pose);
 }
 
 bool PoseJudge::mayBeFarOff(const RefinedPose& pose) const

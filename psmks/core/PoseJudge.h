@@ -20,8 +20,9 @@ class PoseJudge
    * be quite another one. */
   bool isDoubtful(const RefinedPose& pose) const;
 
-  /** Whether few rays stay unexplained. */
-  bool explainsMost(const RefinedPose& pose) const;
+  /** Whether a pose may stand against a measured guess: most rays are explained, many of them by
+   * pairs of lines. */
+  bool isBeyondDoubt(const RefinedPose& pose) const;
 
   /** Whether the true pose may lie far along a wall: much stays unexplained, or the lines leave
    * open where it is. */
@@ -54,6 +55,8 @@ class PoseJudge
   bool contradictsGuess(const Pose2& T_ref_cur) const;
 
  private:
+  bool pairsFewRays(const RefinedPose& pose) const;
+  bool explainsMost(const RefinedPose& pose) const;
   bool isPositionFixed(const RefinedPose& pose) const;
   double chi2FromGuess(const Pose2& T_ref_cur) const;
 
