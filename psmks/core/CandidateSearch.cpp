@@ -210,13 +210,17 @@ void CandidateSearch::proposeAlong(const Eigen::Vector2d& direction, const Along
 
 AlongLimits CandidateSearch::nearAlong() const
 {
-  return {match_.options.searchRadius_m, 0, 2, 0.05};
+  constexpr std::size_t kMost = 2;
+  constexpr double kMissedPromise = 0.05, kNoTurn_rad = 0;
+  return {match_.options.searchRadius_m, kNoTurn_rad, kMost, kMissedPromise};
 }
 
 /** Far along, what a start promises says less: more of them are refined. */
 AlongLimits CandidateSearch::farAlong() const
 {
-  return {std::max(match_.options.searchRadius_m, match_.options.wideRadius_m), degToRad(1), 8,
-          0.15};
+  constexpr std::size_t kMost = 8;
+  constexpr double kMissedPromise = 0.15, kTurn_rad = degToRad(1);
+  const double reach_m = std::max(match_.options.searchRadius_m, match_.options.wideRadius_m);
+  return {reach_m, kTurn_rad, kMost, kMissedPromise};
 }
 }  // namespace psmks
