@@ -205,6 +205,7 @@ void TrajectoryBuilder::joinMap(std::size_t index)
 
 std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(const PosedScan& current)
 {
+  constexpr bool kIsTrial = true;
   std::vector<ReferenceMatch> found;
   const auto tie = [&](const std::vector<KeyframeMap::View>& views, std::size_t most)
   {
@@ -215,7 +216,7 @@ std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(const PosedScan& cu
       if (tried++ == most) break;
       matcher_->setReference(scans_[view.keyframe].scan);
       const ReferenceMatch candidate =
-          match(current, view.keyframe, {view.T_keyframe_cur, vagueCovariance()}, true);
+          match(current, view.keyframe, {view.T_keyframe_cur, vagueCovariance()}, kIsTrial);
       if (policy_.isLink(candidate.result)) found.push_back(candidate);
     }
   };
