@@ -67,7 +67,8 @@ void CandidateSearch::reserve()
 {
   const JointOptions& o = match_.options;
   const double radius_m = match_.guessPrior ? o.searchRadius_m : o.wideRadius_m;
-  match_.buffers.wideSearch.reserve(radius_m, o.wideAngle_rad);
+  match_.buffers.wideSearch.reserve(radius_m, std::max(o.searchAngle_rad, o.wideAngle_rad));
+  match_.buffers.hypotheses.reserve(mostPlacesAlong(std::max(o.searchRadius_m, o.wideRadius_m)));
 }
 
 void CandidateSearch::searchWide()
@@ -96,15 +97,12 @@ void CandidateSearch::searchDespiteGuess()
 
 void CandidateSearch::tryGrid(const WideEffort& effort)
 {
-  const JointOptions& options = match_.options;
-  JointBuffers& buffers = match_.buffers;
-  buffers.hypotheses.clear();
-  propose({effort.limits.radius_m, effort.limits.angle_rad, effort.times * options.votedAngles});
   Stopwatch watch;
+  JointBuffers& buffers = match_.buffers;
   buffers.wideSearch.propose(match_.scores, match_.guess.T_ref_cur, effort.limits,
                              buffers.hypotheses);
   match_.result.times.search_s += watch.lap_s();
-  considerMostPromising(effort.times * options.refinedHypotheses);
+  considerMostPromising(effort.times * match_.options.refinedHypotheses);
 }
 
 /** All that a measured guess leaves open. */
@@ -165,7 +163,10 @@ void CandidateSearch::considerMostPromising(int most)
   }
 }
 
-/** Along a wall with little else to see, lines leave open where a pose is, and wrong pairs may
+/** Along the direction that is known worst, then along the walls if these run otherwise; far where
+ * the pose may be far off.
+ *
+ * Along a wall with little else to see, lines leave open where a pose is, and wrong pairs may
  * hold it anywhere. Single rays then know better: the places along the direction that is known
  * worst are scored, and those that explain more than the best pose so far, or about as much, are
  * refined. Where the guess was measured, it tells the place along the wall; and scans that have

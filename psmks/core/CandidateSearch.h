@@ -51,7 +51,7 @@ class CandidateSearch
   struct WideEffort
   {
     WideLimits limits;
-    int times;  //!< as many angles and starts as near the guess
+    int times;  //!< as many starts as near the guess
   };
 
   void keepIfBest(const RefinedPose& candidate);

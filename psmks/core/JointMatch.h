@@ -47,7 +47,7 @@ struct JointMatch
 
   double rangeSigma_m;                  //!< of the noisier scan
   ScanScores scores;                    //!< of poses for these scans
-  std::optional<PriorTerm> guessPrior;  //!< the guess, where it was measured
+  std::optional<PriorTerm> guessPrior;  //!< the guess, where it was measured and not given up
   MatchResult result;
 
   /** A direction in which the position is known worse is not observable: that of the options, or

@@ -10,11 +10,13 @@ void listFields(OptionTable& table, JointOptions& o)
             "displacement from the guess that is searched");
   table.add("search_angle_deg", o.searchAngle_rad, Unit::Degree, degToRad(1), degToRad(180),
             "rotation from the guess that is searched, to either side");
-  table.add("wide_radius_m", o.wideRadius_m, Unit::Metre, 0, 20,
-            "displacement that is searched where a guess was not measured and no pose nearer to it "
-            "explains the scans; 0: none");
-  table.add("wide_angle_deg", o.wideAngle_rad, Unit::Degree, 0, degToRad(180),
-            "rotation that is searched then, to either side");
+  table.add(
+      "wide_radius_m", o.wideRadius_m, Unit::Metre, 0, 20,
+      "displacement that is searched, along corridors and where no pose nearer to it explains "
+      "the scans, if a guess was not measured; 0: none, nor is a measured one ever given up");
+  table.add(
+      "wide_angle_deg", o.wideAngle_rad, Unit::Degree, 0, degToRad(180),
+      "rotation that is searched then, to either side, and where a measured guess is given up");
   table.add("voted_angles", o.votedAngles, 1, 36,
             "peaks of the vote of segment angles that are followed");
   table.add("refined_hypotheses", o.refinedHypotheses, 1, 100,
@@ -25,7 +27,8 @@ void listFields(OptionTable& table, JointOptions& o)
             "the same for a pose within the 95 % ellipsoid of a guess that has a covariance");
   table.add(
       "distance_gate_m", o.distanceGate_m, Unit::Metre, 1e-3, 10,
-      "lines farther apart are not associated, first association; halved at each further one");
+      "lines farther apart are not associated, first association; halved at each further one, "
+      "but for noise");
   table.add(
       "angle_gate_deg", o.angleGate_rad, Unit::Degree, 0, degToRad(90),
       "lines at a larger angle are not associated, first association; halved at each further one");

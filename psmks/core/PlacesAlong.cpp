@@ -8,6 +8,10 @@ namespace psmks
 {
 namespace
 {
+constexpr double kStep_m = 0.1;
+
+int stepsWithin(double reach_m) { return static_cast<int>(reach_m / kStep_m); }
+
 /** The promise of a place, or of the heading beside its own that promises clearly more. */
 Hypothesis bestHeading(const StartPromise& promise, const Pose2& T_ref_cur, double turn_rad)
 {
@@ -49,10 +53,9 @@ void findPlacesAlong(const StartPromise& promise, const Pose2& T_ref_cur,
                      const Eigen::Vector2d& direction, const AlongLimits& limits,
                      std::vector<Hypothesis>& places)
 {
-  constexpr double kStep_m = 0.1;
   constexpr double kFar_m =
       0.8;  // from here on walls may be others than those of the pose's heading
-  const int reach = static_cast<int>(limits.reach_m / kStep_m);
+  const int reach = stepsWithin(limits.reach_m);
   places.clear();
   for (int k = -reach; k <= reach; ++k)
   {
@@ -66,6 +69,11 @@ void findPlacesAlong(const StartPromise& promise, const Pose2& T_ref_cur,
     places.back().votes = isKnown ? 0 : 1;
   }
   keepPeaks(limits, places);
+}
+
+std::size_t mostPlacesAlong(double reach_m)
+{
+  return 2 * static_cast<std::size_t>(stepsWithin(reach_m)) + 1;
 }
 
 Eigen::Vector2d directionOfWalls(const std::vector<Segment>& segments)

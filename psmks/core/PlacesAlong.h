@@ -23,6 +23,9 @@ void findPlacesAlong(const StartPromise& promise, const Pose2& T_ref_cur,
                      const Eigen::Vector2d& direction, const AlongLimits& limits,
                      std::vector<Hypothesis>& places);
 
+/** As many places as are looked at within a reach. */
+std::size_t mostPlacesAlong(double reach_m);
+
 /** The direction in which most length of wall runs; any where there is none. */
 Eigen::Vector2d directionOfWalls(const std::vector<Segment>& segments);
 }  // namespace psmks

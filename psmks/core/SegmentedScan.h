@@ -22,7 +22,7 @@ struct SegmentedScan
   std::vector<std::uint8_t> valid;  //!< one per ray
   RangeNoise rangeNoise;            //!< the one that lines were found with
   RangeNoise shownNoise;            //!< the one that the scan shows; clutter looks like it
-  bool showsMoreNoise = false;      //!< shownNoise is clearly more than stated
+  bool showsMoreNoise = false;      //!< shownNoise is clearly more than stated, with rounding
   double maxRange_m = 0;            //!< as in Scan
   double stamp_s = 0;
   std::vector<Segment> segments;
