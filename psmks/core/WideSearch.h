@@ -22,8 +22,8 @@ struct WideLimits
 class WideSearch
 {
  public:
-  /** Replaces the hypotheses by these starts, those that explain most first; of those that lead to one
-   * place only the best. */
+  /** Replaces the hypotheses by these starts, those that explain most first; of those that lead to
+   * one place only the best. */
   void propose(const ScanScores& scores, const Pose2& guess_T_ref_cur, const WideLimits& limits,
                std::vector<Hypothesis>& hypotheses);
 
