@@ -52,20 +52,6 @@ CPosePDFGaussian toMrpt(const UncertainPose& pose)
   return pdf;
 }
 
-UncertainPose conjugated(const UncertainPose& T_ref_cur, const Pose2& T_newRef_ref,
-                         const Pose2& T_newCur_cur)
-{
-  // t' = R_A (R(phi) b + t) + t_A with A = T_newRef_ref and b the origin of newCur seen from cur:
-  // a turn of the current sensor swings the robot about it.
-  const Pose2 T_cur_newCur = T_newCur_cur.inverse();
-  const Eigen::Matrix2d R_A = T_newRef_ref.rotation();
-  Eigen::Matrix3d J = Eigen::Matrix3d::Identity();
-  J.topLeftCorner<2, 2>() = R_A;
-  J.topRightCorner<2, 1>() = R_A * T_ref_cur.pose.rotationDerivative() * T_cur_newCur.translation();
-
-  return {T_newRef_ref * T_ref_cur.pose * T_cur_newCur, J * T_ref_cur.covariance * J.transpose()};
-}
-
 SensorMounting sensorMounting(const CObservation2DRangeScan& observation)
 {
   const auto R = observation.sensorPose.getRotationMatrix();

@@ -6,8 +6,7 @@
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <psmks/core/Pose2.h>
 #include <psmks/core/Scan.h>
-
-#include <Eigen/Core>
+#include <psmks/core/UncertainPose.h>
 
 /** \file
  * The border between MRPT's types and psmks': the one place where scanning direction, mounting and
@@ -18,25 +17,8 @@ namespace psmks
 Pose2 toPose2(const mrpt::poses::CPose2D& pose);
 mrpt::poses::CPose2D toMrpt(const Pose2& pose);
 
-/** A pose with the covariance of its (x, y, phi), in the axes of the frame it is seen from:
- *  m^2, m rad, rad^2. */
-struct UncertainPose
-{
-  Pose2 pose;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-};
-
 UncertainPose toUncertainPose(const mrpt::poses::CPosePDFGaussian& pdf);
 mrpt::poses::CPosePDFGaussian toMrpt(const UncertainPose& pose);
-
-/** The same motion seen from other frames: `T_newRef_newCur = T_newRef_ref * T_ref_cur *
- *  T_newCur_cur^-1`, with its covariance to first order; the two mountings count as exact.
- *
- *     newRef --T_newRef_ref--> ref --T_ref_cur--> cur <--T_newCur_cur-- newCur
- *
- * From sensors to robots with the mountings T_robot_sensor, back with their inverses. */
-UncertainPose conjugated(const UncertainPose& T_ref_cur, const Pose2& T_newRef_ref,
-                         const Pose2& T_newCur_cur);
 
 /** How a scanner sits on a robot, as far as the plane sees it. */
 struct SensorMounting

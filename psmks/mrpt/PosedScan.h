@@ -3,7 +3,7 @@
 
 #include <psmks/core/MatchResult.h>
 #include <psmks/core/Scan.h>
-#include <psmks/mrpt/Convert.h>
+#include <psmks/core/UncertainPose.h>
 
 #include <vector>
 

@@ -1,5 +1,4 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Overlap.h>
 #include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/TrajectoryBuilder.h>
 
@@ -9,11 +8,6 @@ namespace psmks
 {
 namespace
 {
-/** T_a_c of T_a_b and T_b_c with independent errors. */
-UncertainPose composed(const UncertainPose& T_a_b, const UncertainPose& T_b_c)
-{
-  return toUncertainPose(toMrpt(T_a_b) + toMrpt(T_b_c));
-}
 /** T_b_c of T_a_b and T_a_c. Matches against the same reference share its errors, which drop out of
  *  their difference: about one match's worth of uncertainty remains. */
 UncertainPose difference(const Pose2& T_a_b, const UncertainPose& T_a_c)
@@ -254,7 +248,6 @@ void TrajectoryBuilder::returnTo(std::size_t keyframe)
   const PosedScan& reference = scans_[keyframe];
   matcher_->setReference(reference.scan);
   reference_ = keyframe;
-  T_ref_last_ =
-      toUncertainPose(toMrpt(scans_.back().T_world_robot) - toMrpt(reference.T_world_robot));
+  T_ref_last_ = seenFrom(reference.T_world_robot, scans_.back().T_world_robot);
 }
 }  // namespace psmks

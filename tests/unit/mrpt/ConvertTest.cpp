@@ -197,32 +197,20 @@ TEST(Conjugated, composesAsMrptDoes)
   EXPECT_TRUE(isNearly(robot * kCur, toPose2(expected), 1e-12, 1e-12));
 }
 
-TEST(Conjugated, movesTheCovarianceAsTheNumericJacobianDoes)
+TEST(UncertainPose, ComposesAsMrptDoes)
 {
-  const UncertainPose motion = someMotion();
-  const auto robot = [&](int axis, double h)
-  {
-    Eigen::Vector3d v(motion.pose.x_m, motion.pose.y_m, motion.pose.phi_rad);
-    v[axis] += h;
-    const Pose2 pose = conjugated({{v.x(), v.y(), v.z()}, {}}, kRef, kCur).pose;
-    return Eigen::Vector3d(pose.x_m, pose.y_m, pose.phi_rad);
-  };
-  constexpr double kStep = 1e-6;
-  Eigen::Matrix3d J;
-  for (int axis = 0; axis < 3; ++axis)
-    J.col(axis) = (robot(axis, kStep) - robot(axis, -kStep)) / (2 * kStep);
-
-  const Eigen::Matrix3d expected = J * motion.covariance * J.transpose();
-  EXPECT_LT((conjugated(motion, kRef, kCur).covariance - expected).norm(), 1e-11);
+  const UncertainPose a = someMotion(), b{kCur, a.covariance};
+  const UncertainPose expected = toUncertainPose(toMrpt(a) + toMrpt(b));
+  EXPECT_TRUE(isNearly(composed(a, b).pose, expected.pose, 1e-12, 1e-12));
+  EXPECT_LT((composed(a, b).covariance - expected.covariance).norm(), 1e-15);
 }
 
-TEST(Conjugated, isUndoneByTheInverseMountings)
+TEST(UncertainPose, IsSeenFromAnotherAsMrptSeesIt)
 {
-  const UncertainPose motion = someMotion();
-  const UncertainPose back =
-      conjugated(conjugated(motion, kRef, kCur), kRef.inverse(), kCur.inverse());
-  EXPECT_TRUE(isNearly(back.pose, motion.pose, 1e-12, 1e-12));
-  EXPECT_LT((back.covariance - motion.covariance).norm(), 1e-15);
+  const UncertainPose a = someMotion(), b{kCur, a.covariance};
+  const UncertainPose expected = toUncertainPose(toMrpt(b) - toMrpt(a));
+  EXPECT_TRUE(isNearly(seenFrom(a, b).pose, expected.pose, 1e-12, 1e-12));
+  EXPECT_LT((seenFrom(a, b).covariance - expected.covariance).norm(), 1e-15);
 }
 
 TEST(UncertainPose, goesToMrptAndBack)

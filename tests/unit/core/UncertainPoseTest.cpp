@@ -1,0 +1,82 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/core/UncertainPose.h>
+#include <tests/support/PoseMatcher.h>
+
+#include <functional>
+
+namespace psmks::test
+{
+namespace
+{
+const Pose2 kRef{0.78, 0.10, degToRad(30)}, kCur{-0.20, 0.40, degToRad(-100)};
+
+UncertainPose someMotion()
+{
+  Eigen::Matrix3d covariance;
+  covariance << 4e-4, 1e-4, 2e-5,  //
+      1e-4, 9e-4, -3e-5,           //
+      2e-5, -3e-5, 1e-4;
+  return {{0.5, -0.2, degToRad(25)}, covariance};
+}
+
+/** Derivative of a pose by another one, by central differences. */
+Eigen::Matrix3d numericJacobian(const Pose2& at, const std::function<Pose2(const Pose2&)>& f)
+{
+  constexpr double kStep = 1e-6;
+  const auto moved = [&](int axis, double h)
+  {
+    Eigen::Vector3d v(at.x_m, at.y_m, at.phi_rad);
+    v[axis] += h;
+    const Pose2 pose = f({v.x(), v.y(), v.z()});
+    return Eigen::Vector3d(pose.x_m, pose.y_m, pose.phi_rad);
+  };
+  Eigen::Matrix3d J;
+  for (int axis = 0; axis < 3; ++axis)
+    J.col(axis) = (moved(axis, kStep) - moved(axis, -kStep)) / (2 * kStep);
+  return J;
+}
+
+constexpr double kTolerance = 1e-11;  //!< of covariances, of the step of central differences
+}  // namespace
+
+TEST(UncertainPose, ComposedMovesBothCovariancesAsTheNumericJacobiansDo)
+{
+  const UncertainPose a = someMotion(), b{kCur, 2 * a.covariance};
+  const auto byA = [&](const Pose2& T) { return T * b.pose; };
+  const auto byB = [&](const Pose2& T) { return a.pose * T; };
+  const Eigen::Matrix3d J_a = numericJacobian(a.pose, byA), J_b = numericJacobian(b.pose, byB);
+  const Eigen::Matrix3d expected =
+      J_a * a.covariance * J_a.transpose() + J_b * b.covariance * J_b.transpose();
+  EXPECT_LT((composed(a, b).covariance - expected).norm(), kTolerance);
+}
+
+TEST(UncertainPose, SeenFromMovesBothCovariancesAsTheNumericJacobiansDo)
+{
+  const UncertainPose a = someMotion(), b{kCur, 2 * a.covariance};
+  const auto byA = [&](const Pose2& T) { return T.inverse() * b.pose; };
+  const auto byB = [&](const Pose2& T) { return a.pose.inverse() * T; };
+  const Eigen::Matrix3d J_a = numericJacobian(a.pose, byA), J_b = numericJacobian(b.pose, byB);
+  const Eigen::Matrix3d expected =
+      J_a * a.covariance * J_a.transpose() + J_b * b.covariance * J_b.transpose();
+  EXPECT_LT((seenFrom(a, b).covariance - expected).norm(), kTolerance);
+}
+
+TEST(UncertainPose, ConjugatedMovesTheCovarianceAsTheNumericJacobianDoes)
+{
+  const UncertainPose motion = someMotion();
+  const auto byMotion = [](const Pose2& T) { return conjugated({T, {}}, kRef, kCur).pose; };
+  const Eigen::Matrix3d J = numericJacobian(motion.pose, byMotion);
+  const Eigen::Matrix3d expected = J * motion.covariance * J.transpose();
+  EXPECT_LT((conjugated(motion, kRef, kCur).covariance - expected).norm(), kTolerance);
+}
+
+TEST(UncertainPose, ConjugatedIsUndoneByTheInverseMountings)
+{
+  const UncertainPose motion = someMotion();
+  const UncertainPose back =
+      conjugated(conjugated(motion, kRef, kCur), kRef.inverse(), kCur.inverse());
+  EXPECT_TRUE(isNearly(back.pose, motion.pose, 1e-12, 1e-12));
+  EXPECT_LT((back.covariance - motion.covariance).norm(), 1e-15);
+}
+}  // namespace psmks::test
