@@ -26,7 +26,7 @@ struct Stages
 
   RoomPair pair;
   SegmentedScan segmentedReference, segmentedCurrent;
-  MatchView reference, current;
+  ScanFeatures reference, current;
   JointProblem problem;
 };
 

@@ -23,7 +23,7 @@ double evidence_m(const Segment& a, const Segment& b)
 }
 }  // namespace
 
-void HypothesisSearch::voteAngles(const MatchView& reference, const MatchView& current,
+void HypothesisSearch::voteAngles(const ScanFeatures& reference, const ScanFeatures& current,
                                   double guess_rad, const SearchLimits& limits)
 {
   const int half = static_cast<int>(std::ceil(limits.angle_rad / kAngleBin_rad));
@@ -71,7 +71,7 @@ void HypothesisSearch::cast(double x_m, double y_m, double votes, double radius_
   cell.sumY_m += votes * y_m;
 }
 
-void HypothesisSearch::voteTranslations(const MatchView& reference, const MatchView& current,
+void HypothesisSearch::voteTranslations(const ScanFeatures& reference, const ScanFeatures& current,
                                         const Pose2& guess, const VotedAngle& angle,
                                         const SearchLimits& limits)
 {
@@ -143,7 +143,7 @@ void HypothesisSearch::collectPeaks(const Pose2& guess, const VotedAngle& angle,
   hypotheses.resize(begin + static_cast<std::size_t>(kept));
 }
 
-void HypothesisSearch::propose(const MatchView& reference, const MatchView& current,
+void HypothesisSearch::propose(const ScanFeatures& reference, const ScanFeatures& current,
                                const Pose2& guess_T_ref_cur, const SearchLimits& limits,
                                std::vector<Hypothesis>& hypotheses)
 {

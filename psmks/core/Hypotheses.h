@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/LinePairing.h>
+#include <psmks/core/ScanFeatures.h>
 
 #include <vector>
 
@@ -40,8 +40,9 @@ class HypothesisSearch
 {
  public:
   /** Appends the hypotheses within the limits about the guess, those with most votes first. */
-  void propose(const MatchView& reference, const MatchView& current, const Pose2& guess_T_ref_cur,
-               const SearchLimits& limits, std::vector<Hypothesis>& hypotheses);
+  void propose(const ScanFeatures& reference, const ScanFeatures& current,
+               const Pose2& guess_T_ref_cur, const SearchLimits& limits,
+               std::vector<Hypothesis>& hypotheses);
 
  private:
   struct Constraint
@@ -54,10 +55,10 @@ class HypothesisSearch
     double votes, sumX_m, sumY_m;
   };
 
-  void voteAngles(const MatchView& reference, const MatchView& current, double guess_rad,
+  void voteAngles(const ScanFeatures& reference, const ScanFeatures& current, double guess_rad,
                   const SearchLimits& limits);
-  void voteTranslations(const MatchView& reference, const MatchView& current, const Pose2& guess,
-                        const VotedAngle& angle, const SearchLimits& limits);
+  void voteTranslations(const ScanFeatures& reference, const ScanFeatures& current,
+                        const Pose2& guess, const VotedAngle& angle, const SearchLimits& limits);
   void collectPeaks(const Pose2& guess, const VotedAngle& angle,
                     std::vector<Hypothesis>& hypotheses) const;
   void cast(double x_m, double y_m, double votes, double radius_m);

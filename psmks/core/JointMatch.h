@@ -21,7 +21,7 @@ namespace psmks
 /** The buffers of a joint match, kept from one to the next. */
 struct JointBuffers
 {
-  MatchView reference, current;
+  ScanFeatures reference, current;
   HypothesisSearch search;
   WideSearch wideSearch;
   std::vector<Hypothesis> hypotheses;

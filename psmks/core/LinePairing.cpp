@@ -1,9 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/CirclePairing.h>
-#include <psmks/core/FreeStanding.h>
 #include <psmks/core/LinePairing.h>
-#include <psmks/core/Patches.h>
-#include <psmks/core/ShortLines.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -36,7 +33,7 @@ struct SharedRays
 class Pairing
 {
  public:
-  Pairing(const MatchView& reference, const MatchView& current, const Pose2& T_ref_cur,
+  Pairing(const ScanFeatures& reference, const ScanFeatures& current, const Pose2& T_ref_cur,
           const PairingGates& gates, JointProblem& problem)
       : ref_(reference),
         cur_(current),
@@ -65,13 +62,13 @@ class Pairing
 
  private:
   /** How many of a scan's straight lines are to be paired. */
-  std::size_t straights(const MatchView& view) const
+  std::size_t straights(const ScanFeatures& view) const
   {
     return gates_.fine ? view.straights.size() : view.scan->segments.size();
   }
 
   /** Whether a segment has turned out to be part of an arc and is left to the circles. */
-  bool isRound(const MatchView& view, const Segment& straight) const
+  bool isRound(const ScanFeatures& view, const Segment& straight) const
   {
     return gates_.fine && view.circleOfRay[static_cast<std::size_t>(straight.firstRay)] >= 0;
   }
@@ -148,7 +145,8 @@ class Pairing
   }
 
   /** Single rays of one scan against the lines of the other. */
-  void pairSingles(const MatchView& from, const MatchView& to, const Pose2& T_to_from, bool current)
+  void pairSingles(const ScanFeatures& from, const ScanFeatures& to, const Pose2& T_to_from,
+                   bool current)
   {
     const Eigen::Matrix2d R = T_to_from.rotation();
     const Eigen::Vector2d t = T_to_from.translation();
@@ -172,21 +170,21 @@ class Pairing
   }
 
   /** Whether a single ray has had its say with a short line or a circle. */
-  bool isTaken(const MatchView& view, const std::bitset<kMostCircles>& paired, int ray) const
+  bool isTaken(const ScanFeatures& view, const std::bitset<kMostCircles>& paired, int ray) const
   {
     if (!gates_.fine) return false;
     const int circle = view.circleOfRay[static_cast<std::size_t>(ray)];
     return isOnStraight(view, ray) || (circle >= 0 && paired[static_cast<std::size_t>(circle)]);
   }
 
-  static bool isOnStraight(const MatchView& view, int ray)
+  static bool isOnStraight(const ScanFeatures& view, int ray)
   {
     const int line = view.lineOfRay[static_cast<std::size_t>(ray)];
     return line >= 0 && line < static_cast<int>(view.straights.size());
   }
 
   /** Of the lines at the bearing of a point the nearer one within the gate, or -1. */
-  int nearestLine(const MatchView& view, const Eigen::Vector2d& p_m) const
+  int nearestLine(const ScanFeatures& view, const Eigen::Vector2d& p_m) const
   {
     const auto x = static_cast<float>(p_m.x()), y = static_cast<float>(p_m.y());
     const int k = view.surface.cellOf(x, y);
@@ -204,8 +202,8 @@ class Pairing
     return nearest;
   }
 
-  const MatchView& ref_;
-  const MatchView& cur_;
+  const ScanFeatures& ref_;
+  const ScanFeatures& cur_;
   const Pose2& T_ref_cur_;
   const Eigen::Matrix2d R_;
   const PairingGates& gates_;
@@ -216,35 +214,7 @@ class Pairing
 };
 }  // namespace
 
-void MatchView::build(const SegmentedScan& segmented)
-{
-  scan = &segmented;
-  findSingles();
-  findFreeStanding(segmented, movable);
-  points.build(segmented, movable);
-  lines.clear();
-  findCircles(segmented, circles, circleOfRay);
-  findShortLines(segmented, circleOfRay, straights);
-  straights.insert(straights.begin(), segmented.segments.begin(), segmented.segments.end());
-  for (const Segment& straight : straights) lines.emplace_back(straight.line);
-  lineOfRay = segmented.segmentOfRay;
-  for (std::size_t s = segmented.segments.size(); s < straights.size(); ++s)
-    for (int ray = straights[s].firstRay; ray <= straights[s].lastRay; ++ray)
-      lineOfRay[static_cast<std::size_t>(ray)] = static_cast<int>(s);
-  appendPatches(segmented, lines, lineOfRay);
-  surface.build(segmented, lines, lineOfRay, movable);
-}
-
-void MatchView::findSingles()
-{
-  singles.clear();
-  const std::uint8_t* valid = scan->valid.data();
-  const int *segment = scan->segmentOfRay.data(), rays = scan->rays();
-  for (int ray = 0; ray < rays; ++ray)
-    if (valid[ray] && segment[ray] == SegmentedScan::kNoSegment) singles.push_back(ray);
-}
-
-int pairLines(const MatchView& reference, const MatchView& current, const Pose2& T_ref_cur,
+int pairLines(const ScanFeatures& reference, const ScanFeatures& current, const Pose2& T_ref_cur,
               const PairingGates& gates, JointProblem& problem)
 {
   return Pairing(reference, current, T_ref_cur, gates, problem).run();

@@ -180,8 +180,8 @@ class PaperMatch
 
   double freeSpaceScoreAt(const Pose2& T_ref_cur)
   {
-    MatchView& reference = buffers_.reference;
-    MatchView& current = buffers_.current;
+    ScanFeatures& reference = buffers_.reference;
+    ScanFeatures& current = buffers_.current;
     reference.build(buffers_.objective.reference());
     current.build(buffers_.objective.current());
     const float tolerance_m = surfaceTolerance_m(

@@ -3,12 +3,12 @@
 
 #include <psmks/core/ExternalSolvers.h>
 #include <psmks/core/Guess.h>
-#include <psmks/core/LinePairing.h>
 #include <psmks/core/MatchResult.h>
 #include <psmks/core/MatchTrace.h>
 #include <psmks/core/PaperCovariance.h>
 #include <psmks/core/PaperOptions.h>
 #include <psmks/core/PoseObjective.h>
+#include <psmks/core/ScanFeatures.h>
 #include <psmks/core/TranslationRegression.h>
 
 namespace psmks
@@ -19,7 +19,7 @@ struct PaperBuffers
   PoseObjective objective;
   TranslationProblem translation;
   PaperCovariance covariance;
-  MatchView reference, current;  //!< for the free-space score
+  ScanFeatures reference, current;  //!< for the free-space score
 };
 
 /** Matches two scans by the scheme of the paper (section 2.3):

@@ -3,6 +3,7 @@
 
 #include <psmks/core/JointMatch.h>
 #include <psmks/core/JointSolver.h>
+#include <psmks/core/LinePairing.h>
 
 namespace psmks
 {

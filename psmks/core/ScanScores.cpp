@@ -16,7 +16,8 @@ int strideOf(const RayPoints& points, std::size_t enoughRays)
 constexpr std::size_t kEnoughRays = 180;
 }  // namespace
 
-ScanScores::ScanScores(const MatchView& reference, const MatchView& current, double rangeSigma_m)
+ScanScores::ScanScores(const ScanFeatures& reference, const ScanFeatures& current,
+                       double rangeSigma_m)
     : reference_(reference), current_(current), tolerance_m_(surfaceTolerance_m(rangeSigma_m))
 {
 }

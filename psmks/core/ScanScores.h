@@ -2,7 +2,7 @@
 #pragma once
 
 #include <psmks/core/FreeSpaceScore.h>
-#include <psmks/core/LinePairing.h>
+#include <psmks/core/ScanFeatures.h>
 
 namespace psmks
 {
@@ -12,7 +12,7 @@ class ScanScores
  public:
   /** @param reference, current are kept by reference
    *  @param rangeSigma_m of the noisier scan */
-  ScanScores(const MatchView& reference, const MatchView& current, double rangeSigma_m);
+  ScanScores(const ScanFeatures& reference, const ScanFeatures& current, double rangeSigma_m);
 
   /** Cheap free-space score of a start that may be off by some centimetres: every fourth ray, one
    * way. */
@@ -30,8 +30,8 @@ class ScanScores
   double raysOn(const RayCounts& counts) const;
 
  private:
-  const MatchView& reference_;
-  const MatchView& current_;
+  const ScanFeatures& reference_;
+  const ScanFeatures& current_;
   float tolerance_m_;
 };
 }  // namespace psmks

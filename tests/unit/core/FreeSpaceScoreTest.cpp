@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/core/FreeSpaceScore.h>
-#include <psmks/core/LinePairing.h>
+#include <psmks/core/ScanFeatures.h>
 #include <tests/support/Scenes.h>
 
 namespace psmks
@@ -44,7 +44,7 @@ class FreeSpaceScore : public testing::Test
   }
 
   SegmentedScan scan_;
-  MatchView view_;
+  ScanFeatures view_;
 };
 
 void expectCounts(const RayCounts& n, const RayCounts& expected)

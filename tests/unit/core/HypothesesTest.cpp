@@ -33,7 +33,7 @@ struct Scene
   }
 
   SegmentedScan referenceScan, currentScan;
-  MatchView reference, current;
+  ScanFeatures reference, current;
 };
 
 /** Place of the first hypothesis near a pose: 0 is the most voted one. */

@@ -31,7 +31,7 @@ struct Scene
 
   Pose2 T_ref_cur;
   SegmentedScan referenceScan, currentScan;
-  MatchView reference, current;
+  ScanFeatures reference, current;
 };
 
 /** Every pair fits where the scans truly stand: it is of one wall. */

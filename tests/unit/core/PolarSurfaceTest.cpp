@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/LinePairing.h>
+#include <psmks/core/ScanFeatures.h>
 #include <tests/support/RandomNumbers.h>
 #include <tests/support/Scenes.h>
 
@@ -9,9 +9,9 @@ namespace psmks
 namespace
 {
 /** Everything that a surface is built from, for the walls of a room. */
-MatchView viewOf(const SegmentedScan& scan)
+ScanFeatures viewOf(const SegmentedScan& scan)
 {
-  MatchView view;
+  ScanFeatures view;
   view.build(scan);
   return view;
 }
@@ -49,7 +49,7 @@ TEST_P(PolarSurfaceOnGrid, CellsAreThoseOfTheGrid)
 {
   const BeamGrid& grid = GetParam();
   const SegmentedScan scan = roomOn(grid);
-  const MatchView view = viewOf(scan);
+  const ScanFeatures view = viewOf(scan);
   EXPECT_EQ(view.surface.cells(), grid.closed() ? grid.count() : grid.count() - 1);
 
   constexpr double kRounding = 0.01;  // of a cell
@@ -78,7 +78,7 @@ TEST(PolarSurface, CellsHoldTheLinesOnBothSides)
 {
   const BeamGrid grid = BeamGrid::centered(kPi, 182);
   const SegmentedScan scan = roomOn(grid);
-  const MatchView view = viewOf(scan);
+  const ScanFeatures view = viewOf(scan);
   const PolarSurface::Side* ahead = view.surface.sides(view.surface.cellOf(2, 0));
   for (const int side : {0, 1})
   {
@@ -97,7 +97,7 @@ TEST(PolarSurface, ARayWithoutALineStandsForItsCircle)
   SegmentedScan scan = roomOn(BeamGrid::centered(kPi, 181));
   scan.segmentOfRay[90] = SegmentedScan::kNoSegment;
   scan.range_m[90] = 2;
-  const MatchView view = viewOf(scan);
+  const ScanFeatures view = viewOf(scan);
   const PolarSurface::Side* sides = view.surface.sides(90);
   EXPECT_EQ(sides[0].line, -1);
   EXPECT_NEAR(sides[0].d, 2, 1e-6);
@@ -109,7 +109,7 @@ TEST(PolarSurface, ACellBesideAnInvalidRayIsUnknown)
 {
   SegmentedScan scan = roomOn(BeamGrid::centered(kPi, 181));
   scan.valid[90] = 0;
-  const MatchView view = viewOf(scan);
+  const ScanFeatures view = viewOf(scan);
   EXPECT_TRUE(view.surface.known(88));
   EXPECT_FALSE(view.surface.known(89));
   EXPECT_FALSE(view.surface.known(90));

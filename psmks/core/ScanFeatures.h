@@ -1,0 +1,36 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <psmks/core/AnchoredLine.h>
+#include <psmks/core/Circles.h>
+#include <psmks/core/PolarSurface.h>
+#include <psmks/core/RayPoints.h>
+#include <psmks/core/SegmentedScan.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace psmks
+{
+/** A scan with everything derived from it that a joint match looks up. */
+struct ScanFeatures
+{
+  const SegmentedScan* scan = nullptr;
+  PolarSurface surface;
+  RayPoints points;
+
+  std::vector<Segment> straights;     //!< the segments, in their order, then the short lines
+  std::vector<AnchoredLine> lines;    //!< one per straight, in their order, then the patches
+  std::vector<int> lineOfRay;         //!< index into lines, or -1
+  std::vector<std::uint8_t> movable;  //!< one flag per ray, see FreeStanding.h
+  std::vector<Circle> circles;
+  std::vector<int> circleOfRay;  //!< index into circles, or -1
+  std::vector<int> singles;      //!< valid rays without a segment
+
+  /** Keeps a pointer to the scan. */
+  void build(const SegmentedScan& segmented);
+
+ private:
+  void findSingles();
+};
+}  // namespace psmks
