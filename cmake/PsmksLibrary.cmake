@@ -1,8 +1,17 @@
-# What every library of psmks shares: the alias psmks::<name>, the include path <psmks/...>, C++17,
-# warnings, and its installation with the headers that lie beside its sources.
+# A library of psmks, made of folders below psmks/: its target, the alias psmks::<name>, the include path
+# <psmks/...>, C++17, warnings, and its installation with the headers that lie beside its sources.
 #
-#   psmks_library_defaults(psmks_core core)
-function(psmks_library_defaults target name)
+#   psmks_add_library(core STATIC FOLDERS geometry base)     # target psmks_core, psmks::core
+function(psmks_add_library name kind)
+  cmake_parse_arguments(LIBRARY "" "TARGET" "FOLDERS" ${ARGN})
+  set(target psmks_${name})
+  if(LIBRARY_TARGET)
+    set(target ${LIBRARY_TARGET})
+  endif()
+  list(TRANSFORM LIBRARY_FOLDERS APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+
+  add_library(${target} ${kind} ${sources})
   add_library(psmks::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES
     EXPORT_NAME ${name}
@@ -20,8 +29,9 @@ function(psmks_library_defaults target name)
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  file(RELATIVE_PATH room "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-  install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/"
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${room}
-    FILES_MATCHING PATTERN "*.h")
+  foreach(folder IN LISTS LIBRARY_FOLDERS)
+    install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/"
+      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/psmks/${folder}
+      FILES_MATCHING PATTERN "*.h")
+  endforeach()
 endfunction()
