@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Pose2.h>
-#include <psmks/core/Scan.h>
+#include <psmks/geometry/Pose2.h>
+#include <psmks/geometry/Scan.h>
 
 namespace psmks
 {

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Angle.h>
 #include <psmks/core/MatcherOptions.h>
 #include <psmks/eval/PairsFile.h>
+#include <psmks/geometry/Angle.h>
 
 #include <Eigen/Core>
 #include <functional>

@@ -3,8 +3,8 @@
 
 #include <apps/support/ParsedCommandLine.h>
 #include <apps/support/TableFiles.h>
-#include <psmks/core/Angle.h>
 #include <psmks/eval/RelationStatistics.h>
+#include <psmks/geometry/Angle.h>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-evaluate/ErrorFigure.h>
-#include <psmks/core/Angle.h>
 #include <psmks/eval/PathErrors.h>
+#include <psmks/geometry/Angle.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-evaluate/ErrorTables.h>
-#include <psmks/core/Angle.h>
 #include <psmks/eval/ErrorStatistics.h>
 #include <psmks/eval/PathErrors.h>
 #include <psmks/eval/RelationStatistics.h>
+#include <psmks/geometry/Angle.h>
 
 #include <functional>
 #include <limits>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/SummaryOutput.h>
 #include <mrpt/system/os.h>
-#include <psmks/core/Angle.h>
+#include <psmks/geometry/Angle.h>
 
 #include <cmath>
 #include <iomanip>

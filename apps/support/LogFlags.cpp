@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/LogFlags.h>
-#include <psmks/core/Angle.h>
+#include <psmks/geometry/Angle.h>
 
 #include <CLI/CLI.hpp>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <psmks/core/PolarSurface.h>
-#include <psmks/core/Pose2.h>
 #include <psmks/core/RayPoints.h>
+#include <psmks/geometry/Pose2.h>
 
 namespace psmks
 {

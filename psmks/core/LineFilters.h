@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/RangeNoise.h>
 #include <psmks/core/RayColumns.h>
+#include <psmks/geometry/RangeNoise.h>
 
 namespace psmks
 {

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/AnchoredLine.h>
-#include <psmks/core/FastBearing.h>
 #include <psmks/core/SegmentedScan.h>
+#include <psmks/geometry/AnchoredLine.h>
+#include <psmks/geometry/FastBearing.h>
 
 #include <algorithm>
 #include <cstdint>

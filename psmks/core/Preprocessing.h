@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Scan.h>
 #include <psmks/core/SegmentationOptions.h>
 #include <psmks/core/SegmentedScan.h>
+#include <psmks/geometry/Scan.h>
 
 #include <vector>
 

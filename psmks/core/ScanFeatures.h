@@ -1,11 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/AnchoredLine.h>
 #include <psmks/core/Circles.h>
 #include <psmks/core/PolarSurface.h>
 #include <psmks/core/RayPoints.h>
 #include <psmks/core/SegmentedScan.h>
+#include <psmks/geometry/AnchoredLine.h>
 
 #include <cstdint>
 #include <vector>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <psmks/core/LineRuns.h>
-#include <psmks/core/Scan.h>
 #include <psmks/core/ScannerNoise.h>
 #include <psmks/core/SegmentationOptions.h>
 #include <psmks/core/SegmentedScan.h>
+#include <psmks/geometry/Scan.h>
 
 namespace psmks
 {

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/BeamGrid.h>
-#include <psmks/core/RangeNoise.h>
 #include <psmks/core/Segment.h>
+#include <psmks/geometry/BeamGrid.h>
+#include <psmks/geometry/RangeNoise.h>
 
 #include <cstdint>
 #include <vector>

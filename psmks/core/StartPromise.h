@@ -2,8 +2,8 @@
 #pragma once
 
 #include <psmks/core/JointOptions.h>
-#include <psmks/core/Pose2.h>
 #include <psmks/core/ScanScores.h>
+#include <psmks/geometry/Pose2.h>
 
 namespace psmks
 {

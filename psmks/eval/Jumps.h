@@ -1,10 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Angle.h>
 #include <psmks/eval/PairError.h>
 #include <psmks/eval/Relations.h>
 #include <psmks/eval/Trajectory.h>
+#include <psmks/geometry/Angle.h>
 
 #include <vector>
 

@@ -1,10 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Pose2.h>
-#include <psmks/core/RangeNoise.h>
-#include <psmks/core/Scan.h>
 #include <psmks/eval/PairError.h>
+#include <psmks/geometry/Pose2.h>
+#include <psmks/geometry/RangeNoise.h>
+#include <psmks/geometry/Scan.h>
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/ChiSquared.h>
 #include <psmks/eval/PairsSummary.h>
 #include <psmks/eval/Statistics.h>
+#include <psmks/geometry/ChiSquared.h>
 
 #include <algorithm>
 #include <cmath>

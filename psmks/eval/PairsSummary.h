@@ -2,10 +2,10 @@
 #pragma once
 
 #include <psmks/core/MatchResult.h>
-#include <psmks/core/Pose2.h>
 #include <psmks/eval/PairBound.h>
 #include <psmks/eval/PairError.h>
 #include <psmks/eval/Table.h>
+#include <psmks/geometry/Pose2.h>
 
 #include <optional>
 #include <string>

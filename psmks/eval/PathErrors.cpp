@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Angle.h>
 #include <psmks/eval/PathErrors.h>
+#include <psmks/geometry/Angle.h>
 
 #include <cmath>
 

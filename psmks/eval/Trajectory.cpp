@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Angle.h>
 #include <psmks/eval/NumberRows.h>
 #include <psmks/eval/Trajectory.h>
+#include <psmks/geometry/Angle.h>
 
 #include <cmath>
 #include <iomanip>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/BeamGrid.h>
+#include <psmks/geometry/BeamGrid.h>
 #include <psmks/mrpt/CarmenMessage.h>
 #include <psmks/mrpt/CarmenOptions.h>
 #include <psmks/mrpt/CarmenSurvey.h>

@@ -4,9 +4,9 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/poses/CPose2D.h>
 #include <mrpt/poses/CPosePDFGaussian.h>
-#include <psmks/core/Pose2.h>
-#include <psmks/core/Scan.h>
-#include <psmks/core/UncertainPose.h>
+#include <psmks/geometry/Pose2.h>
+#include <psmks/geometry/Scan.h>
+#include <psmks/geometry/UncertainPose.h>
 
 /** \file
  * The border between MRPT's types and psmks': the one place where scanning direction, mounting and

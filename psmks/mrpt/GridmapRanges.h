@@ -2,7 +2,7 @@
 #pragma once
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
-#include <psmks/core/Pose2.h>
+#include <psmks/geometry/Pose2.h>
 
 #include <Eigen/Core>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CSensoryFrame.h>
-#include <psmks/core/Pose2.h>
+#include <psmks/geometry/Pose2.h>
 
 #include <map>
 #include <optional>

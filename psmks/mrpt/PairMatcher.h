@@ -4,7 +4,7 @@
 #include <psmks/core/Guess.h>
 #include <psmks/core/MatchResult.h>
 #include <psmks/core/MatcherOptions.h>
-#include <psmks/core/Scan.h>
+#include <psmks/geometry/Scan.h>
 
 #include <memory>
 #include <string>

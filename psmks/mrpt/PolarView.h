@@ -3,8 +3,8 @@
 
 #include <mrpt/maps/CMetricMap.h>
 #include <psmks/core/OptionTable.h>
-#include <psmks/core/Pose2.h>
-#include <psmks/core/Scan.h>
+#include <psmks/geometry/Pose2.h>
+#include <psmks/geometry/Scan.h>
 
 namespace psmks
 {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <psmks/core/MatchResult.h>
-#include <psmks/core/Scan.h>
-#include <psmks/core/UncertainPose.h>
+#include <psmks/geometry/Scan.h>
+#include <psmks/geometry/UncertainPose.h>
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <psmks/core/OdometryNoise.h>
-#include <psmks/core/Scan.h>
+#include <psmks/geometry/Scan.h>
 #include <psmks/mrpt/LogReader.h>
 
 #include <optional>

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Angle.h>
+#include <psmks/geometry/Angle.h>
 #include <psmks/sim/DriftFloor.h>
 
 #include <Eigen/LU>

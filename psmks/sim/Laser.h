@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Pose2.h>
-#include <psmks/core/RangeNoise.h>
-#include <psmks/core/Scan.h>
+#include <psmks/geometry/Pose2.h>
+#include <psmks/geometry/RangeNoise.h>
+#include <psmks/geometry/Scan.h>
 #include <psmks/sim/Surroundings.h>
 
 #include <functional>

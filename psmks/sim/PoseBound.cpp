@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/SurfaceSums.h>
+#include <psmks/geometry/SurfaceSums.h>
 #include <psmks/sim/PoseBound.h>
 
 #include <Eigen/LU>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Line.h>
-#include <psmks/core/Pose2.h>
+#include <psmks/geometry/Line.h>
+#include <psmks/geometry/Pose2.h>
 #include <psmks/sim/Disc.h>
 #include <psmks/sim/MovingObject.h>
 #include <psmks/sim/Surroundings.h>

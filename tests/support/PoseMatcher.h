@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <psmks/core/Pose2.h>
+#include <psmks/geometry/Pose2.h>
 
 namespace psmks
 {

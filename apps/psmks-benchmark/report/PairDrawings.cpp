@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/report/PairDrawings.h>
 #include <apps/psmks-benchmark/report/ScanOutline.h>
-#include <psmks/core/Angle.h>
+#include <psmks/geometry/Angle.h>
 
 #include <Eigen/Geometry>
 #include <array>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/Angle.h>
 #include <psmks/core/OptionTable.h>
+#include <psmks/geometry/Angle.h>
 #include <tests/support/RandomNumbers.h>
 #include <tests/support/Says.h>
 #include <tests/support/ThrownText.h>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/Observability.h>
 #include <psmks/eval/PairBound.h>
+#include <psmks/geometry/Observability.h>
 #include <tests/support/Scenes.h>
 
 #include <Eigen/Dense>

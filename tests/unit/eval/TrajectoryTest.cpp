@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/Angle.h>
 #include <psmks/eval/Trajectory.h>
+#include <psmks/geometry/Angle.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/ScratchFolder.h>
 #include <tests/support/ThrownText.h>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <mrpt/io/CFileGZOutputStream.h>
-#include <psmks/core/Angle.h>
+#include <psmks/geometry/Angle.h>
 #include <psmks/mrpt/CarmenReader.h>
 #include <psmks/mrpt/Convert.h>
 #include <tests/support/PoseMatcher.h>

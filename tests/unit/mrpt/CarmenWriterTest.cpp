@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/Angle.h>
+#include <psmks/geometry/Angle.h>
 #include <psmks/mrpt/CarmenReader.h>
 #include <psmks/mrpt/CarmenWriter.h>
 #include <psmks/mrpt/RawlogReader.h>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/serialization/CArchive.h>
-#include <psmks/core/Angle.h>
+#include <psmks/geometry/Angle.h>
 #include <psmks/mrpt/Compat.h>
 #include <psmks/mrpt/GridmapRanges.h>
 #include <tests/support/Says.h>

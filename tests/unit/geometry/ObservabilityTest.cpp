@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/Angle.h>
-#include <psmks/core/Observability.h>
+#include <psmks/geometry/Angle.h>
+#include <psmks/geometry/Observability.h>
 #include <tests/support/RandomNumbers.h>
 
 #include <Eigen/Eigenvalues>

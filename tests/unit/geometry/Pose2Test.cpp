@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/Pose2.h>
+#include <psmks/geometry/Pose2.h>
 #include <tests/support/RandomNumbers.h>
 
 namespace psmks

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Observability.h>
+#include <psmks/geometry/Observability.h>
 
 #include <cmath>
 #include <limits>
