@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/LogRun.h>
 #include <apps/psmks-benchmark/WorstMotions.h>
-#include <psmks/core/Stopwatch.h>
+#include <psmks/base/Stopwatch.h>
 #include <psmks/eval/Jumps.h>
 #include <psmks/mrpt/TrajectoryBuilder.h>
 

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/PairsBenchmark.h>
-#include <psmks/core/Stopwatch.h>
+#include <psmks/base/Stopwatch.h>
 #include <psmks/mrpt/PairMatcher.h>
 
 #include <algorithm>

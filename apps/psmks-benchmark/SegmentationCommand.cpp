@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/SegmentationCommand.h>
 #include <apps/support/ExitCode.h>
+#include <psmks/base/Stopwatch.h>
 #include <psmks/core/Segmentation.h>
-#include <psmks/core/Stopwatch.h>
 #include <psmks/eval/SegmentationQuality.h>
 #include <psmks/eval/Statistics.h>
 #include <psmks/sim/Laser.h>

@@ -4,7 +4,7 @@
 #include <apps/psmks-simulate/Simulate.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
-#include <psmks/core/Stopwatch.h>
+#include <psmks/base/Stopwatch.h>
 #include <psmks/sim/AreaCenterDriver.h>
 #include <psmks/sim/WaypointDriver.h>
 

@@ -6,7 +6,7 @@
 #include <apps/support/ExitCode.h>
 #include <apps/support/LogScan.h>
 #include <mrpt/maps/CSimpleMap.h>
-#include <psmks/core/Stopwatch.h>
+#include <psmks/base/Stopwatch.h>
 #include <psmks/eval/Relations.h>
 #include <psmks/mrpt/MapFiles.h>
 #include <psmks/mrpt/OpenLog.h>

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/base/Stopwatch.h>
 #include <psmks/core/JointScheme.h>
 #include <psmks/core/Matcher.h>
 #include <psmks/core/PaperScheme.h>
 #include <psmks/core/Segmentation.h>
-#include <psmks/core/Stopwatch.h>
 
 #include <Eigen/Cholesky>
 #include <utility>

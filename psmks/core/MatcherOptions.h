@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/base/OptionTable.h>
 #include <psmks/core/JointOptions.h>
-#include <psmks/core/OptionTable.h>
 #include <psmks/core/PaperOptions.h>
 #include <psmks/core/SegmentationOptions.h>
 

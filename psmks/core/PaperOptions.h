@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/OptionTable.h>
+#include <psmks/base/OptionTable.h>
 #include <psmks/geometry/Angle.h>
 
 namespace psmks

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <mrpt/config/CConfigFileBase.h>
-#include <psmks/core/OptionTable.h>
+#include <psmks/base/OptionTable.h>
 
 #include <string>
 

@@ -3,8 +3,8 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/slam/CICP.h>
+#include <psmks/base/Stopwatch.h>
 #include <psmks/core/Preprocessing.h>
-#include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/Convert.h>
 #include <psmks/mrpt/PairMatcherRegistration.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <mrpt/maps/CMetricMap.h>
-#include <psmks/core/OptionTable.h>
+#include <psmks/base/OptionTable.h>
 #include <psmks/geometry/Pose2.h>
 #include <psmks/geometry/Scan.h>
 

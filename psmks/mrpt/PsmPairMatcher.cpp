@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Stopwatch.h>
+#include <psmks/base/Stopwatch.h>
 #include <psmks/mrpt/PairMatcherRegistration.h>
 #include <psmks/psm/PsmMatcher.h>
 

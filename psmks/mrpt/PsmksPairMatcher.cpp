@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/base/Stopwatch.h>
 #include <psmks/core/Matcher.h>
-#include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/BuiltSolvers.h>
 #include <psmks/mrpt/PairMatcherRegistration.h>
 

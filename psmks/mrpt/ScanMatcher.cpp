@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <mrpt/poses/CPose3DPDFGaussian.h>
-#include <psmks/core/Stopwatch.h>
+#include <psmks/base/Stopwatch.h>
 #include <psmks/mrpt/BuiltSolvers.h>
 #include <psmks/mrpt/ScanMatcher.h>
 

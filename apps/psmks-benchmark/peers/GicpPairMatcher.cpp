@@ -2,9 +2,9 @@
 #include <pcl/console/print.h>
 #include <pcl/point_types.h>
 #include <pcl/registration/gicp.h>
+#include <psmks/base/Stopwatch.h>
 #include <psmks/core/Preprocessing.h>
 #include <psmks/core/RayPoints.h>
-#include <psmks/core/Stopwatch.h>
 #include <psmks/mrpt/PairMatcherRegistration.h>
 
 #include <Eigen/Eigenvalues>

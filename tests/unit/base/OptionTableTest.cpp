@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/OptionTable.h>
+#include <psmks/base/OptionTable.h>
 #include <psmks/geometry/Angle.h>
 #include <tests/support/RandomNumbers.h>
 #include <tests/support/Says.h>

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/OptionTable.h>
+#include <psmks/base/OptionTable.h>
 #include <psmks/geometry/Angle.h>
 
 #include <algorithm>
