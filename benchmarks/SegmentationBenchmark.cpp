@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <benchmark/benchmark.h>
 #include <benchmarks/RoomPair.h>
-#include <psmks/core/Segmentation.h>
+#include <psmks/segmentation/Segmentation.h>
 
 namespace psmks
 {

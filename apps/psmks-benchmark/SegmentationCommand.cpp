@@ -2,9 +2,9 @@
 #include <apps/psmks-benchmark/SegmentationCommand.h>
 #include <apps/support/ExitCode.h>
 #include <psmks/base/Stopwatch.h>
-#include <psmks/core/Segmentation.h>
 #include <psmks/eval/SegmentationQuality.h>
 #include <psmks/eval/Statistics.h>
+#include <psmks/segmentation/Segmentation.h>
 #include <psmks/sim/Laser.h>
 #include <psmks/sim/World.h>
 

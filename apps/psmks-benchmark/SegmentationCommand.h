@@ -2,7 +2,7 @@
 #pragma once
 
 #include <apps/psmks-benchmark/TableOutput.h>
-#include <psmks/core/SegmentationOptions.h>
+#include <psmks/segmentation/SegmentationOptions.h>
 #include <psmks/sim/World.h>
 
 #include <CLI/CLI.hpp>

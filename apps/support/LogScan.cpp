@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/LogScan.h>
-#include <psmks/core/Preprocessing.h>
 #include <psmks/core/Sweep.h>
+#include <psmks/segmentation/Preprocessing.h>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include <psmks/core/PaperOptions.h>
 #include <psmks/core/Projection.h>
-#include <psmks/core/SegmentedScan.h>
+#include <psmks/segmentation/SegmentedScan.h>
 
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <psmks/core/JointMatch.h>
-#include <psmks/core/SegmentedScan.h>
+#include <psmks/segmentation/SegmentedScan.h>
 
 namespace psmks
 {

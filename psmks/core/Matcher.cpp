@@ -3,7 +3,7 @@
 #include <psmks/core/JointScheme.h>
 #include <psmks/core/Matcher.h>
 #include <psmks/core/PaperScheme.h>
-#include <psmks/core/Segmentation.h>
+#include <psmks/segmentation/Segmentation.h>
 
 #include <Eigen/Cholesky>
 #include <utility>

@@ -6,9 +6,9 @@
 #include <psmks/core/MatchResult.h>
 #include <psmks/core/MatchTrace.h>
 #include <psmks/core/MatcherOptions.h>
-#include <psmks/core/ScannerNoise.h>
-#include <psmks/core/SegmentedScan.h>
 #include <psmks/geometry/Scan.h>
+#include <psmks/segmentation/ScannerNoise.h>
+#include <psmks/segmentation/SegmentedScan.h>
 
 #include <memory>
 

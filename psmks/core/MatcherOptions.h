@@ -4,7 +4,7 @@
 #include <psmks/base/OptionTable.h>
 #include <psmks/core/JointOptions.h>
 #include <psmks/core/PaperOptions.h>
-#include <psmks/core/SegmentationOptions.h>
+#include <psmks/segmentation/SegmentationOptions.h>
 
 namespace psmks
 {

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/SegmentedScan.h>
 #include <psmks/geometry/AnchoredLine.h>
+#include <psmks/segmentation/SegmentedScan.h>
 
 #include <vector>
 

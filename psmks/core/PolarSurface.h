@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/SegmentedScan.h>
 #include <psmks/geometry/AnchoredLine.h>
 #include <psmks/geometry/FastBearing.h>
+#include <psmks/segmentation/SegmentedScan.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -4,8 +4,8 @@
 #include <psmks/core/Circles.h>
 #include <psmks/core/PolarSurface.h>
 #include <psmks/core/RayPoints.h>
-#include <psmks/core/SegmentedScan.h>
 #include <psmks/geometry/AnchoredLine.h>
+#include <psmks/segmentation/SegmentedScan.h>
 
 #include <cstdint>
 #include <vector>

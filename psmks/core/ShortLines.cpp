@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/LineSums.h>
 #include <psmks/core/ShortLines.h>
+#include <psmks/segmentation/LineSums.h>
 
 #include <cmath>
 

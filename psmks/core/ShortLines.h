@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Segment.h>
-#include <psmks/core/SegmentedScan.h>
+#include <psmks/segmentation/Segment.h>
+#include <psmks/segmentation/SegmentedScan.h>
 
 #include <vector>
 

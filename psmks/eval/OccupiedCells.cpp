@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Preprocessing.h>
 #include <psmks/eval/OccupiedCells.h>
+#include <psmks/segmentation/Preprocessing.h>
 
 #include <cmath>
 

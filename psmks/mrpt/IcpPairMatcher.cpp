@@ -4,9 +4,9 @@
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/slam/CICP.h>
 #include <psmks/base/Stopwatch.h>
-#include <psmks/core/Preprocessing.h>
 #include <psmks/mrpt/Convert.h>
 #include <psmks/mrpt/PairMatcherRegistration.h>
+#include <psmks/segmentation/Preprocessing.h>
 
 #include <algorithm>
 #include <array>

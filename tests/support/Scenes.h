@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/SegmentedScan.h>
 #include <psmks/geometry/Pose2.h>
 #include <psmks/geometry/Scan.h>
+#include <psmks/segmentation/SegmentedScan.h>
 
 #include <Eigen/Core>
 #include <random>

@@ -3,9 +3,9 @@
 #include <pcl/point_types.h>
 #include <pcl/registration/gicp.h>
 #include <psmks/base/Stopwatch.h>
-#include <psmks/core/Preprocessing.h>
 #include <psmks/core/RayPoints.h>
 #include <psmks/mrpt/PairMatcherRegistration.h>
+#include <psmks/segmentation/Preprocessing.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

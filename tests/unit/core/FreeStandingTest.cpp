@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/core/FreeStanding.h>
-#include <psmks/core/Preprocessing.h>
+#include <psmks/segmentation/Preprocessing.h>
 #include <tests/support/Scenes.h>
 
 namespace psmks

@@ -1,0 +1,293 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/segmentation/LineFilters.h>
+#include <psmks/segmentation/LineRuns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace psmks
+{
+namespace
+{
+/** Missing rays in a row over which a line is continued. */
+constexpr int kLongestHole = 3;
+
+/** Rays between two lines that still touch. */
+constexpr int kLongestGap = 3;
+
+/** A second outlier within this many rays of the first ends a line. */
+constexpr int kOutlierMemory = 2;
+}  // namespace
+
+LineRuns::LineRuns(const SegmentationOptions& options, RayColumns& rays, std::vector<LineRun>& runs)
+    : options_(options),
+      rays_(rays),
+      runs_(runs),
+      variance_m2_(rays.noise.sigma_m * rays.noise.sigma_m)
+{
+  runs_.clear();
+}
+
+// ---- growth ------------------------------------------------------------------------------------
+
+void LineRuns::grow()
+{
+  if (options_.filter == LineFilter::Linear)
+    growAll(LinearLineFilter(rays_.noise));
+  else
+    growAll(PolarLineFilter(rays_.noise));
+}
+
+template <class Filter>
+void LineRuns::growAll(const Filter& fresh)
+{
+  int free = 0;  // first position after the last line
+  for (int p = 0; p + options_.seedRays <= rays_.rays; ++p)
+  {
+    LineSums seed;
+    Filter filter = fresh;
+    if (!seedAt(p, seed) || !filter.start(seed)) continue;
+    const int index = static_cast<int>(runs_.size());
+    LineRun run{p, p + options_.seedRays - 1, seed};
+    reassign(run.first, run.last, SegmentedScan::kNoSegment, index);
+    run.last = growSide(filter, run, index, run.last, 1, rays_.rays - 1);
+    run.first = growSide(filter, run, index, run.first, -1, free);
+    dropOutlyingStart(filter, run);
+    runs_.push_back(run);
+    free = run.last + 1;
+    p = run.last;
+  }
+}
+
+/** A seed of few rays bends to an outlier at its first: seen from the grown line it stands out. */
+template <class Filter>
+void LineRuns::dropOutlyingStart(const Filter& grown, LineRun& run)
+{
+  if (run.sums.rays() <= options_.seedRays) return;
+  if (grown.accepts(rays_.measured(run.first), options_.innovationGate)) return;
+  mark(run.first) = SegmentedScan::kNoSegment;
+  run.sums.removeMoments(moments(run.first));
+  do ++run.first;
+  while (mark(run.first) == SegmentedScan::kNoSegment);
+}
+
+/** The sums of the seed at a position, if all of its rays are valid and on one line. */
+bool LineRuns::seedAt(int position, LineSums& sums) const
+{
+  for (int p = position; p < position + options_.seedRays; ++p)
+  {
+    if (!rays_.valid(p)) return false;
+    sums.addMoments(moments(p));
+  }
+  // About the 0.998 quantile of chi2 for the one to four degrees of freedom of a seed.
+  const double gate = options_.innovationGate;
+  return chi2(sums) < gate * gate + options_.seedRays - 3;
+}
+
+/** Grows a line from position `from` by steps of +1 or -1 up to and including `limit`. An isolated
+ *  outlier is passed over; a second one soon after ends the line before the first.
+ *  @return the last position of the line on this side */
+template <class Filter>
+int LineRuns::growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit)
+{
+  int last = from, hole = 0, sinceOutlier = kOutlierMemory;
+  int lastBeforeOutlier = from;
+  LineSums sumsBeforeOutlier = run.sums;
+  Filter filterBeforeOutlier = filter;
+  int sinceRefusal = RayColumns::kBlock;  // rays that went singly since a block was refused
+  for (int p = from + step; p != limit + step && hole <= kLongestHole; p += step)
+  {
+    if (sinceRefusal >= RayColumns::kBlock)
+    {
+      if (takeBlock(filter, run, index, p, step, limit))
+      {
+        last = p += step * (RayColumns::kBlock - 1);
+        sinceOutlier += RayColumns::kBlock;
+        hole = 0;
+        continue;
+      }
+      sinceRefusal = 0;
+    }
+    ++sinceRefusal;
+    if (!rays_.valid(p))
+    {
+      ++hole;
+      continue;
+    }
+    hole = 0;
+    if (const MeasuredRay ray = rays_.measured(p); filter.accepts(ray, options_.innovationGate))
+    {
+      run.sums.addMoments(moments(p));
+      filter.update(ray, run.sums);
+      mark(p) = index;
+      last = p;
+      ++sinceOutlier;
+      continue;
+    }
+    if (sinceOutlier < kOutlierMemory)
+    {
+      reassign(std::min(lastBeforeOutlier + step, p), std::max(lastBeforeOutlier + step, p), index,
+               SegmentedScan::kNoSegment);
+      run.sums = sumsBeforeOutlier;
+      filter = filterBeforeOutlier;
+      return lastBeforeOutlier;
+    }
+    lastBeforeOutlier = last;
+    sumsBeforeOutlier = run.sums;
+    filterBeforeOutlier = filter;
+    sinceOutlier = 0;
+  }
+  return last;
+}
+
+/** Grows a line by the block of rays that comes next, if it accepts all of them. */
+template <class Filter>
+bool LineRuns::takeBlock(Filter& filter, LineRun& run, int index, int from, int step, int limit)
+{
+  if constexpr (std::is_same_v<Filter, LinearLineFilter>)
+  {
+    constexpr int kOthers = RayColumns::kBlock - 1;
+    if (!filter.takesBlocks(run.sums) || (limit - from) * step < kOthers) return false;
+    const int first = std::min(from, from + step * kOthers);
+    if (!filter.acceptsBlock(rays_, first, options_.innovationGate)) return false;
+    run.sums.addMoments(&moments(first), RayColumns::kBlock);
+    filter.update(run.sums);
+    std::fill_n(&mark(first), RayColumns::kBlock, index);
+    return true;
+  }
+  return false;
+}
+
+/** Changes the mark of the rays between two positions (both included) that carry `from`. */
+void LineRuns::reassign(int firstPosition, int lastPosition, int from, int to)
+{
+  for (int p = firstPosition; p <= lastPosition; ++p)
+    if (mark(p) == from) mark(p) = to;
+}
+
+// ---- corners and merging -----------------------------------------------------------------------
+
+void LineRuns::contestCorners()
+{
+  for (std::size_t right = 1; right < runs_.size(); ++right)
+    if (runs_[right].first - runs_[right - 1].last <= kLongestGap + 1)
+      contest(static_cast<int>(right) - 1, static_cast<int>(right));
+}
+
+/** Contested are the rays of either line within reach of the corner; either keeps a seed beyond
+ * them.
+ *
+ *   left  o o o o o|. . . . . .|          rays up to the split go to the left line, the others to
+ *                  |. . . . . .|o o o o   the right line
+ *
+ * From the split that growth has left, others are tried to both sides, until chi2 has not fallen
+ * for some rays. */
+void LineRuns::contest(int leftIndex, int rightIndex)
+{
+  LineRun& left = runs_[static_cast<std::size_t>(leftIndex)];
+  LineRun& right = runs_[static_cast<std::size_t>(rightIndex)];
+  const int reach = options_.cornerReach, kept = options_.seedRays;
+  const int begin = std::max(left.last + 1 - reach, std::min(left.first + kept, left.last + 1));
+  const int end = std::min(right.first + reach, std::max(right.last + 1 - kept, right.first));
+
+  Split best{right.first, left.sums, right.sums, left.sums.chi2_m2() + right.sums.chi2_m2()};
+  const Split grown = best;
+  moveSplit(grown, 1, end, rightIndex, best);
+  moveSplit(grown, -1, begin, leftIndex, best);
+  if (best.at == grown.at) return;
+  for (int p = begin; p < end; ++p)
+    if (mark(p) == leftIndex || mark(p) == rightIndex)
+      mark(p) = p < best.at ? leftIndex : rightIndex;
+  left.sums = best.left;
+  right.sums = best.right;
+  settleEnds(left, right, leftIndex, rightIndex, begin, end);
+}
+
+/** Moves a split ray by ray, giving the rays of one line to the other, and keeps the best.
+ *  @param step +1: rays of the right line go to the left one, up to `limit` exclusive; -1: the
+ * other way, down to `limit` inclusive
+ *  @param from the mark of the rays that are given away */
+void LineRuns::moveSplit(Split split, int step, int limit, int from, Split& best) const
+{
+  constexpr int kPatience = 3;
+  LineSums& giving = step > 0 ? split.right : split.left;
+  LineSums& taking = step > 0 ? split.left : split.right;
+  for (int sinceBest = 0; split.at != limit && sinceBest < kPatience;)
+  {
+    const int p = step > 0 ? split.at : split.at - 1;
+    split.at += step;
+    if (mark(p) != from) continue;
+    giving.removeMoments(moments(p));
+    taking.addMoments(moments(p));
+    if (giving.rays() < 2) return;
+    split.chi2_m2 = split.left.chi2_m2() + split.right.chi2_m2();
+    ++sinceBest;
+    if (split.chi2_m2 >= best.chi2_m2) continue;
+    best = split;
+    sinceBest = 0;
+  }
+}
+
+/** After a contest: the ends of both lines are their outermost rays in the contested stretch. */
+void LineRuns::settleEnds(LineRun& left, LineRun& right, int leftIndex, int rightIndex, int begin,
+                          int end)
+{
+  left.last = std::max(left.first, begin - 1);
+  right.first = std::min(right.last, end);
+  for (int p = begin; p < end; ++p)
+    if (mark(p) == leftIndex) left.last = p;
+  for (int p = end - 1; p >= begin; --p)
+    if (mark(p) == rightIndex) right.first = p;
+}
+
+bool LineRuns::collinear(const LineRun& left, const LineRun& right) const
+{
+  if (right.first - left.last > kLongestGap + 1) return false;
+  LineSums joint = left.sums;
+  joint += right.sums;
+  return chi2(joint) - chi2(left.sums) - chi2(right.sums) < options_.mergeChi2;
+}
+
+bool LineRuns::cut(const LineRun& run, int runMark, LineRun& left, LineRun& right) const
+{
+  LineSums l, r = run.sums;
+  double best = chi2(run.sums) - options_.mergeChi2 - 2 * std::log(std::max(1, run.sums.rays()));
+  bool found = false;
+  for (int p = run.first; p < run.last && r.rays() > options_.seedRays; ++p)
+  {
+    if (mark(p) != runMark) continue;
+    l.addMoments(moments(p));
+    r.removeMoments(moments(p));
+    if (l.rays() < options_.seedRays) continue;
+    const double sum = chi2(l) + chi2(r);
+    if (sum >= best) continue;
+    best = sum;
+    found = true;
+    left = {run.first, p, l};
+    right = {p + 1, run.last, r};
+  }
+  return found;
+}
+
+void LineRuns::mergeCollinear()
+{
+  std::size_t kept = 0;
+  for (std::size_t next = 1; next < runs_.size(); ++next)
+  {
+    LineRun& left = runs_[kept];
+    const LineRun& right = runs_[next];
+    const int from = static_cast<int>(next);
+    const int to = static_cast<int>(collinear(left, right) ? kept : kept + 1);
+    if (to != from) reassign(right.first, right.last, from, to);
+    if (static_cast<std::size_t>(to) == kept)
+    {
+      left.sums += right.sums;
+      left.last = right.last;
+    }
+    else
+      runs_[++kept] = right;
+  }
+  if (!runs_.empty()) runs_.resize(kept + 1);
+}
+}  // namespace psmks

@@ -1,0 +1,82 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/segmentation/Preprocessing.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace psmks
+{
+namespace
+{
+/** No scanner measures beyond these; within them no power or inverse of a range overflows. */
+constexpr double kNearest_m = 1e-4, kFarthest_m = 1e6;
+
+double upperLimit_m(const Scan& scan, const PreprocessingOptions& options)
+{
+  double limit_m = kFarthest_m;
+  if (scan.maxRange_m > 0) limit_m = std::min(limit_m, scan.maxRange_m);
+  if (options.maxRange_m > 0) limit_m = std::min(limit_m, options.maxRange_m);
+  return limit_m;
+}
+
+void dropFlagged(const std::vector<std::uint8_t>& valid, SegmentedScan& result)
+{
+  for (std::size_t i = 0; i < valid.size(); ++i)
+  {
+    if (valid[i]) continue;
+    result.valid[i] = 0;
+    result.range_m[i] = 0;
+  }
+}
+}  // namespace
+
+void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedScan& result)
+{
+  const auto rays = static_cast<std::size_t>(scan.grid.count());
+  result.grid = scan.grid;
+  result.maxRange_m = scan.maxRange_m;
+  result.stamp_s = scan.stamp_s;
+  result.rangeNoise = {};
+  result.segments.clear();
+  result.range_m.assign(rays, 0.0);
+  result.valid.assign(rays, 0);
+  result.segmentOfRay.assign(rays, SegmentedScan::kNoSegment);
+  if (scan.range_m.size() != rays) return;
+
+  const double lower_m = std::max(kNearest_m, options.minRange_m);
+  const double upper_m = upperLimit_m(scan, options);
+  const double* read_m = scan.range_m.data();
+  double* range_m = result.range_m.data();
+  std::uint8_t* valid = result.valid.data();
+  for (std::size_t i = 0; i < rays; ++i)
+  {
+    const bool within = (read_m[i] > lower_m) & (read_m[i] < upper_m);  // false for NaN
+    valid[i] = within;
+    range_m[i] = within ? read_m[i] : 0;
+  }
+  if (scan.valid.size() == rays) dropFlagged(scan.valid, result);
+}
+
+void medianFilter(int window, std::vector<double>& scratch, SegmentedScan& scan)
+{
+  const int half = window / 2;
+  if (half < 1) return;
+  const auto rays = static_cast<std::size_t>(scan.rays());
+  scratch.resize(rays + static_cast<std::size_t>(2 * half + 1));
+  std::copy(scan.range_m.begin(), scan.range_m.end(), scratch.begin());
+  const auto windowBegin = scratch.begin() + static_cast<std::ptrdiff_t>(rays);
+  for (int i = 0; i < scan.rays(); ++i)
+  {
+    if (!scan.isValid(i)) continue;
+    auto windowEnd = windowBegin;
+    for (int step = -half; step <= half; ++step)
+    {
+      const int j = scan.grid.neighbour(i, step);
+      if (j >= 0 && scan.isValid(j)) *windowEnd++ = scratch[static_cast<std::size_t>(j)];
+    }
+    const auto middle = windowBegin + (windowEnd - windowBegin) / 2;
+    std::nth_element(windowBegin, middle, windowEnd);
+    scan.range_m[static_cast<std::size_t>(i)] = *middle;
+  }
+}
+}  // namespace psmks

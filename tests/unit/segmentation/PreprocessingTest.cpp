@@ -1,0 +1,126 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/segmentation/Preprocessing.h>
+
+#include <limits>
+
+namespace psmks
+{
+namespace
+{
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Scan scanOf(const std::vector<double>& range_m)
+{
+  Scan scan;
+  scan.grid = BeamGrid::centered(kPi / 2, static_cast<int>(range_m.size()));
+  scan.range_m = range_m;
+  scan.maxRange_m = 10;
+  return scan;
+}
+
+SegmentedScan cleaned(const Scan& scan, const PreprocessingOptions& options = {})
+{
+  SegmentedScan result;
+  cleanScan(scan, options, result);
+  return result;
+}
+
+using Flags = std::vector<std::uint8_t>;
+using Ranges = std::vector<double>;
+}  // namespace
+
+TEST(Preprocessing, OnlyFinitePositiveRangesBelowTheMaximumAreValid)
+{
+  const SegmentedScan result =
+      cleaned(scanOf({2, kNan, kInf, -kInf, 0, -1, 10, 10.5, 9.999, 1e-3}));
+  EXPECT_EQ(result.valid, (Flags{1, 0, 0, 0, 0, 0, 0, 0, 1, 1}));
+  EXPECT_EQ(result.range_m, (Ranges{2, 0, 0, 0, 0, 0, 0, 0, 9.999, 1e-3}));
+}
+
+TEST(Preprocessing, AbsurdRangesAreInvalidWithoutAMaximumToo)
+{
+  Scan scan = scanOf({2, kInf, 1e5, 1e300, 1e-300});
+  scan.maxRange_m = 0;
+  EXPECT_EQ(cleaned(scan).valid, (Flags{1, 0, 1, 0, 0}));
+}
+
+TEST(Preprocessing, FlaggedRaysAreInvalid)
+{
+  Scan scan = scanOf({2, 3, 4});
+  scan.valid = {1, 0, 1};
+  EXPECT_EQ(cleaned(scan).valid, (Flags{1, 0, 1}));
+  EXPECT_EQ(cleaned(scan).range_m[1], 0);
+}
+
+TEST(Preprocessing, TheOptionsNarrowTheRange)
+{
+  PreprocessingOptions options;
+  options.minRange_m = 0.5;
+  options.maxRange_m = 4;
+  EXPECT_EQ(cleaned(scanOf({0.5, 0.6, 3.9, 4, 9}), options).valid, (Flags{0, 1, 1, 0, 0}));
+  options.maxRange_m = 40;  // the scan's own limit of 10 m stands
+  EXPECT_EQ(cleaned(scanOf({9, 11}), options).valid, (Flags{1, 0}));
+}
+
+TEST(Preprocessing, RangesThatDoNotFitTheGridLeaveNoValidRay)
+{
+  Scan scan = scanOf({2, 3, 4});
+  scan.range_m.pop_back();
+  const SegmentedScan result = cleaned(scan);
+  EXPECT_EQ(result.rays(), 3);
+  EXPECT_EQ(result.validRays(), 0);
+  EXPECT_EQ(result.range_m, (Ranges{0, 0, 0}));
+}
+
+TEST(Preprocessing, WhatTheResultHeldBeforeIsGone)
+{
+  SegmentedScan result = cleaned(scanOf({2, 3, 4}));
+  result.segments.resize(2);
+  result.segmentOfRay = {0, 1, 1};
+  cleanScan(scanOf({5, 6}), {}, result);
+  EXPECT_TRUE(result.segments.empty());
+  EXPECT_EQ(result.segmentOfRay, (std::vector<int>(2, SegmentedScan::kNoSegment)));
+}
+
+// A spike and a step, window 3:    2 2 7 2 2 5 5 5  ->  2 2 2 2 2 5 5 5
+TEST(Preprocessing, TheMedianRemovesASpikeAndKeepsAStep)
+{
+  SegmentedScan scan = cleaned(scanOf({2, 2, 7, 2, 2, 5, 5, 5}));
+  std::vector<double> scratch;
+  medianFilter(3, scratch, scan);
+  EXPECT_EQ(scan.range_m, (Ranges{2, 2, 2, 2, 2, 5, 5, 5}));
+}
+
+TEST(Preprocessing, TheMedianPassesOverInvalidRays)
+{
+  SegmentedScan scan = cleaned(scanOf({2, 0, 3, 0, 4}));
+  std::vector<double> scratch;
+  medianFilter(5, scratch, scan);
+  EXPECT_EQ(scan.valid, (Flags{1, 0, 1, 0, 1}));
+  EXPECT_EQ(scan.range_m[2], 3);
+  EXPECT_EQ(scan.range_m[1], 0);
+}
+
+TEST(Preprocessing, TheMedianReachesAcrossTheSeamOfAClosedScan)
+{
+  Scan scan = scanOf({9, 2, 2, 2, 2, 2});
+  scan.grid = BeamGrid::centered(2 * kPi, 6);
+  SegmentedScan result = cleaned(scan);
+  std::vector<double> scratch;
+  medianFilter(3, scratch, result);
+  EXPECT_EQ(result.range_m[0], 2);
+}
+
+TEST(Preprocessing, AMedianOfOneRayChangesNothing)
+{
+  for (const int window : {0, 1})
+  {
+    SegmentedScan scan = cleaned(scanOf({2, 7, 3}));
+    std::vector<double> scratch;
+    medianFilter(window, scratch, scan);
+    EXPECT_EQ(scan.range_m, (Ranges{2, 7, 3}));
+  }
+}
+}  // namespace psmks
