@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Guess.h>
 #include <psmks/eval/PairsFile.h>
+#include <psmks/match/Guess.h>
 
 #include <random>
 #include <string>

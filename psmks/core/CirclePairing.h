@@ -2,7 +2,7 @@
 #pragma once
 
 #include <psmks/core/Circles.h>
-#include <psmks/core/JointProblem.h>
+#include <psmks/match/JointProblem.h>
 
 #include <bitset>
 #include <vector>

@@ -1,16 +1,16 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/ExternalSolvers.h>
-#include <psmks/core/Guess.h>
 #include <psmks/core/Hypotheses.h>
 #include <psmks/core/JointOptions.h>
-#include <psmks/core/JointProblem.h>
-#include <psmks/core/MatchResult.h>
-#include <psmks/core/MatchTrace.h>
 #include <psmks/core/RefinedPose.h>
 #include <psmks/core/ScanScores.h>
 #include <psmks/core/WideSearch.h>
+#include <psmks/match/ExternalSolvers.h>
+#include <psmks/match/Guess.h>
+#include <psmks/match/JointProblem.h>
+#include <psmks/match/MatchResult.h>
+#include <psmks/match/MatchTrace.h>
 
 #include <algorithm>
 #include <optional>

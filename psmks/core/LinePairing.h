@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/JointProblem.h>
 #include <psmks/core/ScanFeatures.h>
+#include <psmks/match/JointProblem.h>
 
 namespace psmks
 {

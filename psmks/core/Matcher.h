@@ -1,12 +1,12 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/ExternalSolvers.h>
-#include <psmks/core/Guess.h>
-#include <psmks/core/MatchResult.h>
-#include <psmks/core/MatchTrace.h>
 #include <psmks/core/MatcherOptions.h>
 #include <psmks/geometry/Scan.h>
+#include <psmks/match/ExternalSolvers.h>
+#include <psmks/match/Guess.h>
+#include <psmks/match/MatchResult.h>
+#include <psmks/match/MatchTrace.h>
 #include <psmks/segmentation/ScannerNoise.h>
 #include <psmks/segmentation/SegmentedScan.h>
 

@@ -1,15 +1,15 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/ExternalSolvers.h>
-#include <psmks/core/Guess.h>
-#include <psmks/core/MatchResult.h>
-#include <psmks/core/MatchTrace.h>
 #include <psmks/core/PaperCovariance.h>
 #include <psmks/core/PaperOptions.h>
 #include <psmks/core/PoseObjective.h>
 #include <psmks/core/ScanFeatures.h>
 #include <psmks/core/TranslationRegression.h>
+#include <psmks/match/ExternalSolvers.h>
+#include <psmks/match/Guess.h>
+#include <psmks/match/MatchResult.h>
+#include <psmks/match/MatchTrace.h>
 
 namespace psmks
 {

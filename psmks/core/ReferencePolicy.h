@@ -2,8 +2,8 @@
 #pragma once
 
 #include <psmks/base/OptionTable.h>
-#include <psmks/core/MatchResult.h>
 #include <psmks/geometry/Angle.h>
+#include <psmks/match/MatchResult.h>
 
 namespace psmks
 {

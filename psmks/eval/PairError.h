@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/MatchResult.h>
 #include <psmks/geometry/Angle.h>
 #include <psmks/geometry/Pose2.h>
+#include <psmks/match/MatchResult.h>
 
 #include <Eigen/Core>
 

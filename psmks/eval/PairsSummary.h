@@ -1,11 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/MatchResult.h>
 #include <psmks/eval/PairBound.h>
 #include <psmks/eval/PairError.h>
 #include <psmks/eval/Table.h>
 #include <psmks/geometry/Pose2.h>
+#include <psmks/match/MatchResult.h>
 
 #include <optional>
 #include <string>

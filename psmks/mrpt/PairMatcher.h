@@ -1,10 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Guess.h>
-#include <psmks/core/MatchResult.h>
 #include <psmks/core/MatcherOptions.h>
 #include <psmks/geometry/Scan.h>
+#include <psmks/match/Guess.h>
+#include <psmks/match/MatchResult.h>
 
 #include <memory>
 #include <string>

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/MatchResult.h>
 #include <psmks/geometry/Scan.h>
 #include <psmks/geometry/UncertainPose.h>
+#include <psmks/match/MatchResult.h>
 
 #include <vector>
 

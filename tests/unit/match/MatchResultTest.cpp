@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/MatchResult.h>
+#include <psmks/match/MatchResult.h>
 #include <tests/support/Says.h>
 
 #include <Eigen/LU>
