@@ -1,11 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <benchmark/benchmark.h>
 #include <benchmarks/RoomPair.h>
-#include <psmks/core/FreeSpaceScore.h>
 #include <psmks/core/Hypotheses.h>
 #include <psmks/core/JointSolver.h>
 #include <psmks/core/LinePairing.h>
 #include <psmks/core/Matcher.h>
+#include <psmks/features/FreeSpaceScore.h>
 
 namespace psmks
 {

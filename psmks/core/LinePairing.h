@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/ScanFeatures.h>
+#include <psmks/features/ScanFeatures.h>
 #include <psmks/match/JointProblem.h>
 
 namespace psmks

@@ -4,8 +4,8 @@
 #include <psmks/core/PaperCovariance.h>
 #include <psmks/core/PaperOptions.h>
 #include <psmks/core/PoseObjective.h>
-#include <psmks/core/ScanFeatures.h>
 #include <psmks/core/TranslationRegression.h>
+#include <psmks/features/ScanFeatures.h>
 #include <psmks/match/ExternalSolvers.h>
 #include <psmks/match/Guess.h>
 #include <psmks/match/MatchResult.h>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/FreeSpaceScore.h>
-#include <psmks/core/ScanFeatures.h>
+#include <psmks/features/FreeSpaceScore.h>
+#include <psmks/features/ScanFeatures.h>
 
 namespace psmks
 {

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/CirclePairing.h>
-#include <psmks/core/ShortLines.h>
 #include <psmks/eval/PairBound.h>
 #include <psmks/eval/SharedLines.h>
 #include <psmks/eval/Statistics.h>
+#include <psmks/features/CirclePairing.h>
+#include <psmks/features/ShortLines.h>
 #include <psmks/geometry/Observability.h>
 #include <psmks/geometry/SurfaceSums.h>
 #include <psmks/segmentation/Segmentation.h>

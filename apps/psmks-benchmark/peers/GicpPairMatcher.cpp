@@ -3,7 +3,7 @@
 #include <pcl/point_types.h>
 #include <pcl/registration/gicp.h>
 #include <psmks/base/Stopwatch.h>
-#include <psmks/core/RayPoints.h>
+#include <psmks/features/RayPoints.h>
 #include <psmks/mrpt/PairMatcherRegistration.h>
 #include <psmks/segmentation/Preprocessing.h>
 

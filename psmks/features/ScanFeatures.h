@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Circles.h>
-#include <psmks/core/PolarSurface.h>
-#include <psmks/core/RayPoints.h>
+#include <psmks/features/Circles.h>
+#include <psmks/features/PolarSurface.h>
+#include <psmks/features/RayPoints.h>
 #include <psmks/geometry/AnchoredLine.h>
 #include <psmks/segmentation/SegmentedScan.h>
 

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/PolarSurface.h>
-#include <psmks/core/RayPoints.h>
+#include <psmks/features/PolarSurface.h>
+#include <psmks/features/RayPoints.h>
 #include <psmks/geometry/Pose2.h>
 
 namespace psmks

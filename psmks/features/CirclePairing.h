@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Circles.h>
+#include <psmks/features/Circles.h>
 #include <psmks/match/JointProblem.h>
 
 #include <bitset>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/FreeSpaceScore.h>
-#include <psmks/core/ScanFeatures.h>
+#include <psmks/features/FreeSpaceScore.h>
+#include <psmks/features/ScanFeatures.h>
 #include <tests/support/Scenes.h>
 
 namespace psmks

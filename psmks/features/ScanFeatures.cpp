@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/FreeStanding.h>
-#include <psmks/core/Patches.h>
-#include <psmks/core/ScanFeatures.h>
-#include <psmks/core/ShortLines.h>
+#include <psmks/features/FreeStanding.h>
+#include <psmks/features/Patches.h>
+#include <psmks/features/ScanFeatures.h>
+#include <psmks/features/ShortLines.h>
 
 namespace psmks
 {

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Patches.h>
+#include <psmks/features/Patches.h>
 #include <psmks/segmentation/LineSums.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/ScanFeatures.h>
+#include <psmks/features/ScanFeatures.h>
 #include <tests/support/RandomNumbers.h>
 #include <tests/support/Scenes.h>
 
