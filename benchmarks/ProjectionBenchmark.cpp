@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 #include <benchmarks/RoomPair.h>
 #include <psmks/core/Matcher.h>
-#include <psmks/core/Projection.h>
+#include <psmks/paper/Projection.h>
 
 namespace psmks
 {

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <ceres/ceres.h>
 #include <psmks/ceres/CeresSolvers.h>
-#include <psmks/core/TranslationRegression.h>
 #include <psmks/match/JointProblem.h>
+#include <psmks/paper/TranslationRegression.h>
 
 #include <Eigen/Cholesky>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <psmks/base/Stopwatch.h>
 #include <psmks/core/JointScheme.h>
 #include <psmks/core/Matcher.h>
-#include <psmks/core/PaperScheme.h>
+#include <psmks/paper/PaperScheme.h>
 #include <psmks/segmentation/Segmentation.h>
 
 #include <Eigen/Cholesky>

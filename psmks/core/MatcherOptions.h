@@ -3,7 +3,7 @@
 
 #include <psmks/base/OptionTable.h>
 #include <psmks/core/JointOptions.h>
-#include <psmks/core/PaperOptions.h>
+#include <psmks/paper/PaperOptions.h>
 #include <psmks/segmentation/SegmentationOptions.h>
 
 namespace psmks

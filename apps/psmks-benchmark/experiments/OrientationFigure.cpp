@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/experiments/OrientationFigure.h>
 #include <psmks/core/Matcher.h>
-#include <psmks/core/OrientationSearch.h>
+#include <psmks/paper/OrientationSearch.h>
 #include <psmks/sim/Laser.h>
 #include <psmks/sim/World.h>
 

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/ceres/CeresSolvers.h>
-#include <psmks/core/TranslationRegression.h>
 #include <psmks/match/JointProblem.h>
+#include <psmks/paper/TranslationRegression.h>
 #include <tests/support/PoseMatcher.h>
 
 #include <Eigen/LU>

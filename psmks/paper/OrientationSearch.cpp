@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/OrientationSearch.h>
+#include <psmks/paper/OrientationSearch.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/PaperCovariance.h>
-#include <psmks/core/TranslationRegression.h>
+#include <psmks/paper/PaperCovariance.h>
+#include <psmks/paper/TranslationRegression.h>
 
 #include <Eigen/LU>
 

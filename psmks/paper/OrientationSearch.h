@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/PoseObjective.h>
 #include <psmks/match/MatchTrace.h>
+#include <psmks/paper/PoseObjective.h>
 
 namespace psmks
 {

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/MatchingError.h>
+#include <psmks/paper/MatchingError.h>
 
 #include <Eigen/Core>
 #include <vector>

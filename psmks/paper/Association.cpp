@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Association.h>
+#include <psmks/paper/Association.h>
 
 #include <Eigen/LU>
 #include <cmath>

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Projection.h>
 #include <psmks/geometry/FastBearing.h>
+#include <psmks/paper/Projection.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/PaperOptions.h>
-#include <psmks/core/Projection.h>
+#include <psmks/paper/PaperOptions.h>
+#include <psmks/paper/Projection.h>
 #include <psmks/segmentation/SegmentedScan.h>
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
-#include <psmks/core/OrientationSearch.h>
-#include <psmks/core/PaperScheme.h>
 #include <psmks/features/FreeSpaceScore.h>
+#include <psmks/paper/OrientationSearch.h>
+#include <psmks/paper/PaperScheme.h>
 
 #include <algorithm>
 #include <cmath>

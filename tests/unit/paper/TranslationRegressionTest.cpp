@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/PoseObjective.h>
-#include <psmks/core/TranslationRegression.h>
+#include <psmks/paper/PoseObjective.h>
+#include <psmks/paper/TranslationRegression.h>
 #include <tests/support/Scenes.h>
 
 #include <Eigen/Eigenvalues>

@@ -1,15 +1,15 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/PaperCovariance.h>
-#include <psmks/core/PaperOptions.h>
-#include <psmks/core/PoseObjective.h>
-#include <psmks/core/TranslationRegression.h>
 #include <psmks/features/ScanFeatures.h>
 #include <psmks/match/ExternalSolvers.h>
 #include <psmks/match/Guess.h>
 #include <psmks/match/MatchResult.h>
 #include <psmks/match/MatchTrace.h>
+#include <psmks/paper/PaperCovariance.h>
+#include <psmks/paper/PaperOptions.h>
+#include <psmks/paper/PoseObjective.h>
+#include <psmks/paper/TranslationRegression.h>
 
 namespace psmks
 {

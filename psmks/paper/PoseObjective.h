@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/MatchingError.h>
-#include <psmks/core/Projection.h>
+#include <psmks/paper/MatchingError.h>
+#include <psmks/paper/Projection.h>
 
 #include <vector>
 

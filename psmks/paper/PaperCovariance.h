@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/PoseObjective.h>
 #include <psmks/geometry/Observability.h>
+#include <psmks/paper/PoseObjective.h>
 
 #include <Eigen/Core>
 #include <vector>
