@@ -1,11 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <benchmark/benchmark.h>
 #include <benchmarks/RoomPair.h>
-#include <psmks/core/Hypotheses.h>
-#include <psmks/core/JointSolver.h>
-#include <psmks/core/LinePairing.h>
 #include <psmks/core/Matcher.h>
 #include <psmks/features/FreeSpaceScore.h>
+#include <psmks/joint/Hypotheses.h>
+#include <psmks/joint/JointSolver.h>
+#include <psmks/joint/LinePairing.h>
 
 namespace psmks
 {

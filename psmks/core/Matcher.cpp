@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
-#include <psmks/core/JointScheme.h>
 #include <psmks/core/Matcher.h>
+#include <psmks/joint/JointScheme.h>
 #include <psmks/paper/PaperScheme.h>
 #include <psmks/segmentation/Segmentation.h>
 

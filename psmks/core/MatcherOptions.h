@@ -2,7 +2,7 @@
 #pragma once
 
 #include <psmks/base/OptionTable.h>
-#include <psmks/core/JointOptions.h>
+#include <psmks/joint/JointOptions.h>
 #include <psmks/paper/PaperOptions.h>
 #include <psmks/segmentation/SegmentationOptions.h>
 

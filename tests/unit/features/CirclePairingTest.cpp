@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/JointSolver.h>
 #include <psmks/features/CirclePairing.h>
+#include <psmks/joint/JointSolver.h>
 
 #include <Eigen/LU>
 

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/CandidateSearch.h>
-#include <psmks/core/JointConclusion.h>
-#include <psmks/core/JointScheme.h>
+#include <psmks/joint/CandidateSearch.h>
+#include <psmks/joint/JointConclusion.h>
+#include <psmks/joint/JointScheme.h>
 
 namespace psmks
 {

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/JointSolver.h>
-#include <psmks/core/LinePairing.h>
+#include <psmks/joint/JointSolver.h>
+#include <psmks/joint/LinePairing.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Scenes.h>
 

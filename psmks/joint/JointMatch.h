@@ -1,11 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Hypotheses.h>
-#include <psmks/core/JointOptions.h>
-#include <psmks/core/RefinedPose.h>
-#include <psmks/core/ScanScores.h>
-#include <psmks/core/WideSearch.h>
+#include <psmks/joint/Hypotheses.h>
+#include <psmks/joint/JointOptions.h>
+#include <psmks/joint/RefinedPose.h>
+#include <psmks/joint/ScanScores.h>
+#include <psmks/joint/WideSearch.h>
 #include <psmks/match/ExternalSolvers.h>
 #include <psmks/match/Guess.h>
 #include <psmks/match/JointProblem.h>

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/PlacesAlong.h>
+#include <psmks/joint/PlacesAlong.h>
 
 #include <algorithm>
 #include <cmath>

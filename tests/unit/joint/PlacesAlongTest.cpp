@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/core/Matcher.h>
-#include <psmks/core/PlacesAlong.h>
+#include <psmks/joint/PlacesAlong.h>
 #include <tests/support/Scenes.h>
 
 namespace psmks

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Hypotheses.h>
-#include <psmks/core/ScanScores.h>
+#include <psmks/joint/Hypotheses.h>
+#include <psmks/joint/ScanScores.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/JointSolver.h>
+#include <psmks/joint/JointSolver.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/RandomNumbers.h>
 

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
-#include <psmks/core/CandidateSearch.h>
+#include <psmks/joint/CandidateSearch.h>
 
 #include <algorithm>
 #include <cmath>

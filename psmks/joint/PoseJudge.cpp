@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/PoseJudge.h>
 #include <psmks/geometry/ChiSquared.h>
+#include <psmks/joint/PoseJudge.h>
 
 namespace psmks
 {

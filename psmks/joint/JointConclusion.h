@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/PoseJudge.h>
-#include <psmks/core/Refinement.h>
+#include <psmks/joint/PoseJudge.h>
+#include <psmks/joint/Refinement.h>
 
 namespace psmks
 {

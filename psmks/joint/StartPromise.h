@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/JointOptions.h>
-#include <psmks/core/ScanScores.h>
 #include <psmks/geometry/Pose2.h>
+#include <psmks/joint/JointOptions.h>
+#include <psmks/joint/ScanScores.h>
 
 namespace psmks
 {

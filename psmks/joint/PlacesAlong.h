@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/Hypotheses.h>
-#include <psmks/core/StartPromise.h>
 #include <psmks/geometry/Angle.h>
+#include <psmks/joint/Hypotheses.h>
+#include <psmks/joint/StartPromise.h>
 
 #include <vector>
 

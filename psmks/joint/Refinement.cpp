@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
-#include <psmks/core/Refinement.h>
+#include <psmks/joint/Refinement.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
-#include <psmks/core/JointConclusion.h>
+#include <psmks/joint/JointConclusion.h>
 
 #include <Eigen/LU>
 #include <cmath>

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/JointMatch.h>
+#include <psmks/joint/JointMatch.h>
 
 #include <Eigen/LU>
 #include <algorithm>

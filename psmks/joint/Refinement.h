@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/JointMatch.h>
-#include <psmks/core/JointSolver.h>
-#include <psmks/core/LinePairing.h>
+#include <psmks/joint/JointMatch.h>
+#include <psmks/joint/JointSolver.h>
+#include <psmks/joint/LinePairing.h>
 
 namespace psmks
 {

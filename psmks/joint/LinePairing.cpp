@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/LinePairing.h>
 #include <psmks/features/CirclePairing.h>
+#include <psmks/joint/LinePairing.h>
 
 #include <Eigen/LU>
 #include <algorithm>
