@@ -3,7 +3,7 @@
 
 #include <apps/psmks-benchmark/Guesses.h>
 #include <apps/psmks-benchmark/LogInput.h>
-#include <psmks/core/OdometryNoise.h>
+#include <psmks/motion/OdometryNoise.h>
 
 #include <vector>
 

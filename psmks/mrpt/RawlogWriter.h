@@ -4,8 +4,8 @@
 #include <mrpt/core/Clock.h>
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
-#include <psmks/core/OdometryNoise.h>
 #include <psmks/geometry/Scan.h>
+#include <psmks/motion/OdometryNoise.h>
 #include <psmks/mrpt/LogReader.h>
 
 #include <optional>

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/OdometryNoise.h>
 #include <psmks/core/ReferencePolicy.h>
-#include <psmks/core/Sweep.h>
+#include <psmks/motion/OdometryNoise.h>
+#include <psmks/motion/Sweep.h>
 #include <psmks/mrpt/KeyframeMap.h>
 #include <psmks/mrpt/PairMatcher.h>
 #include <psmks/mrpt/PosedScan.h>

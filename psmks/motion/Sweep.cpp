@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Sweep.h>
+#include <psmks/motion/Sweep.h>
 
 #include <algorithm>
 #include <cmath>
