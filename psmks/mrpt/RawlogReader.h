@@ -2,9 +2,9 @@
 #pragma once
 
 #include <mrpt/obs/CActionCollection.h>
+#include <psmks/motion/OdometryTrack.h>
 #include <psmks/mrpt/GzipInput.h>
 #include <psmks/mrpt/LogReader.h>
-#include <psmks/mrpt/OdometryTrack.h>
 
 #include <deque>
 #include <map>

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/OdometryTrack.h>
+#include <psmks/motion/OdometryTrack.h>
 
 #include <algorithm>
 
