@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-convert/ConvertMap.h>
 #include <apps/support/TextFile.h>
-#include <psmks/mrpt/GzipInput.h>
+#include <psmks/gzip/GzipInput.h>
 #include <psmks/sim/MapFile.h>
 
 #include <array>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/gzip/GzipOutput.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/GzipOutput.h>
 #include <psmks/mrpt/LogReader.h>
 
 #include <optional>

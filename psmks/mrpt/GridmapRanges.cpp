@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <mrpt/serialization/CArchive.h>
+#include <psmks/gzip/GzipInput.h>
 #include <psmks/mrpt/GridmapRanges.h>
-#include <psmks/mrpt/GzipInput.h>
 
 #include <algorithm>
 #include <cmath>

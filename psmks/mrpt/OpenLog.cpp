@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/gzip/GzipInput.h>
 #include <psmks/mrpt/CarmenReader.h>
-#include <psmks/mrpt/GzipInput.h>
 #include <psmks/mrpt/OpenLog.h>
 #include <psmks/mrpt/RawlogReader.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <mrpt/obs/CActionCollection.h>
+#include <psmks/gzip/GzipInput.h>
 #include <psmks/motion/OdometryTrack.h>
-#include <psmks/mrpt/GzipInput.h>
 #include <psmks/mrpt/LogReader.h>
 
 #include <deque>

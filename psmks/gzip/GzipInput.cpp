@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/GzipInput.h>
+#include <psmks/gzip/GzipInput.h>
 #include <zlib.h>
 
 #include <algorithm>
