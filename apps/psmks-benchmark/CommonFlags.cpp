@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/CommonFlags.h>
-#include <psmks/mrpt/PairMatcher.h>
+#include <psmks/matchers/PairMatcher.h>
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include <apps/psmks-benchmark/Convergence.h>
 #include <apps/psmks-benchmark/Guesses.h>
 #include <psmks/eval/PairError.h>
-#include <psmks/mrpt/PairMatcher.h>
+#include <psmks/matchers/PairMatcher.h>
 
 #include <memory>
 #include <random>

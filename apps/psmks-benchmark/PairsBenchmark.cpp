@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/PairsBenchmark.h>
 #include <psmks/base/Stopwatch.h>
-#include <psmks/mrpt/PairMatcher.h>
+#include <psmks/matchers/PairMatcher.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <apps/psmks-benchmark/PairsCommand.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
-#include <psmks/mrpt/PairMatcher.h>
+#include <psmks/matchers/PairMatcher.h>
 
 #include <algorithm>
 #include <iostream>

@@ -8,7 +8,7 @@
 #include <apps/psmks-benchmark/SelfmatchCommand.h>
 #include <apps/psmks-benchmark/StepsCommand.h>
 #include <apps/support/ExitCode.h>
-#include <psmks/mrpt/PairMatcherRegistration.h>
+#include <psmks/matchers/PairMatcherRegistration.h>
 
 #include <CLI/CLI.hpp>
 #include <iomanip>

@@ -4,8 +4,8 @@
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/slam/CICP.h>
 #include <psmks/base/Stopwatch.h>
+#include <psmks/matchers/PairMatcherRegistration.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/PairMatcherRegistration.h>
 #include <psmks/segmentation/Preprocessing.h>
 
 #include <algorithm>

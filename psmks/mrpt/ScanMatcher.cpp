@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <psmks/base/Stopwatch.h>
-#include <psmks/mrpt/BuiltSolvers.h>
+#include <psmks/matchers/BuiltSolvers.h>
 #include <psmks/mrpt/ScanMatcher.h>
 
 #include <Eigen/Cholesky>

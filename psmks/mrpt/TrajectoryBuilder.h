@@ -2,10 +2,10 @@
 #pragma once
 
 #include <psmks/core/ReferencePolicy.h>
+#include <psmks/matchers/PairMatcher.h>
 #include <psmks/motion/OdometryNoise.h>
 #include <psmks/motion/Sweep.h>
 #include <psmks/mrpt/KeyframeMap.h>
-#include <psmks/mrpt/PairMatcher.h>
 #include <psmks/mrpt/PosedScan.h>
 
 #include <memory>

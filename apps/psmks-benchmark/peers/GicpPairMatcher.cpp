@@ -4,7 +4,7 @@
 #include <pcl/registration/gicp.h>
 #include <psmks/base/Stopwatch.h>
 #include <psmks/features/RayPoints.h>
-#include <psmks/mrpt/PairMatcherRegistration.h>
+#include <psmks/matchers/PairMatcherRegistration.h>
 #include <psmks/segmentation/Preprocessing.h>
 
 #include <Eigen/Eigenvalues>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
 #include <psmks/core/Matcher.h>
-#include <psmks/mrpt/BuiltSolvers.h>
-#include <psmks/mrpt/PairMatcherRegistration.h>
+#include <psmks/matchers/BuiltSolvers.h>
+#include <psmks/matchers/PairMatcherRegistration.h>
 
 namespace psmks
 {

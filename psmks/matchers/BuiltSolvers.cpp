@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/BuiltSolvers.h>
+#include <psmks/matchers/BuiltSolvers.h>
 #ifdef PSMKS_WITH_CERES
 #include <psmks/ceres/CeresSolvers.h>
 #endif

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/mrpt/PairMatcherRegistration.h>
+#include <psmks/matchers/PairMatcherRegistration.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Scenes.h>
 #include <tests/support/ThrownText.h>

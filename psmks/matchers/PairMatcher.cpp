@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/PairMatcher.h>
-#include <psmks/mrpt/PairMatcherRegistration.h>
+#include <psmks/matchers/PairMatcher.h>
+#include <psmks/matchers/PairMatcherRegistration.h>
 
 namespace psmks
 {

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
-#include <psmks/mrpt/PairMatcherRegistration.h>
+#include <psmks/matchers/PairMatcherRegistration.h>
 #include <psmks/psm/PsmMatcher.h>
 
 #include <algorithm>
