@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/StepPairs.h>
-#include <psmks/core/Overlap.h>
 #include <psmks/eval/CommonPoses.h>
 #include <psmks/mrpt/Convert.h>
+#include <psmks/slam/Overlap.h>
 
 #include <algorithm>
 #include <optional>

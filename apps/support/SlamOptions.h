@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/ReferencePolicy.h>
 #include <psmks/motion/OdometryNoise.h>
 #include <psmks/mrpt/ScanMatcherOptions.h>
+#include <psmks/slam/ReferencePolicy.h>
 
 #include <string>
 

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/GraphDistance.h>
-#include <psmks/core/Overlap.h>
 #include <psmks/mrpt/KeyframeMap.h>
 #include <psmks/mrpt/PlaceSearch.h>
+#include <psmks/slam/GraphDistance.h>
+#include <psmks/slam/Overlap.h>
 
 #include <Eigen/LU>
 #include <algorithm>

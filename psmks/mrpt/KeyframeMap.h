@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/PoseGraph.h>
-#include <psmks/core/ReferencePolicy.h>
 #include <psmks/mrpt/PosedScan.h>
+#include <psmks/slam/PoseGraph.h>
+#include <psmks/slam/ReferencePolicy.h>
 
 #include <optional>
 #include <vector>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/ReferencePolicy.h>
 #include <psmks/mrpt/PosedScan.h>
+#include <psmks/slam/ReferencePolicy.h>
 
 namespace psmks
 {

@@ -1,12 +1,12 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/ReferencePolicy.h>
 #include <psmks/matchers/PairMatcher.h>
 #include <psmks/motion/OdometryNoise.h>
 #include <psmks/motion/Sweep.h>
 #include <psmks/mrpt/KeyframeMap.h>
 #include <psmks/mrpt/PosedScan.h>
+#include <psmks/slam/ReferencePolicy.h>
 
 #include <memory>
 #include <optional>

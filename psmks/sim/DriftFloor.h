@@ -1,10 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/core/PoseGraph.h>
 #include <psmks/sim/PoseBound.h>
 #include <psmks/sim/Simulation.h>
 #include <psmks/sim/World.h>
+#include <psmks/slam/PoseGraph.h>
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Overlap.h>
 #include <psmks/sim/PairSets.h>
 #include <psmks/sim/Walker.h>
+#include <psmks/slam/Overlap.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/Overlap.h>
 #include <psmks/sim/PairSets.h>
 #include <psmks/sim/Walker.h>
+#include <psmks/slam/Overlap.h>
 
 #include <cmath>
 #include <ostream>

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/core/Overlap.h>
 #include <psmks/geometry/FastBearing.h>
+#include <psmks/slam/Overlap.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/PoseGraph.h>
+#include <psmks/slam/PoseGraph.h>
 #include <tests/support/PoseMatcher.h>
 
 namespace psmks

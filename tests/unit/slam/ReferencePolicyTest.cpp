@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/core/ReferencePolicy.h>
+#include <psmks/slam/ReferencePolicy.h>
 
 namespace psmks
 {
