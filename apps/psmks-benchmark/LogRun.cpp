@@ -3,7 +3,7 @@
 #include <apps/psmks-benchmark/WorstMotions.h>
 #include <psmks/base/Stopwatch.h>
 #include <psmks/eval/Jumps.h>
-#include <psmks/mrpt/TrajectoryBuilder.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <algorithm>
 #include <cmath>

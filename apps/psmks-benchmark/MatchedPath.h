@@ -2,7 +2,7 @@
 #pragma once
 
 #include <psmks/eval/Trajectory.h>
-#include <psmks/mrpt/PosedScan.h>
+#include <psmks/slam/PosedScan.h>
 
 #include <cstddef>
 #include <vector>

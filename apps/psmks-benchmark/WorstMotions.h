@@ -4,7 +4,7 @@
 #include <apps/psmks-benchmark/MatchedPath.h>
 #include <apps/psmks-benchmark/report/LogsPage.h>
 #include <psmks/eval/Relations.h>
-#include <psmks/mrpt/PosedScan.h>
+#include <psmks/slam/PosedScan.h>
 
 #include <cstddef>
 #include <string>

@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/OutputFolder.h>
 #include <apps/support/TextFile.h>
-#include <psmks/mrpt/CsvFiles.h>
 #include <psmks/mrpt/MapPicture.h>
 #include <psmks/mrpt/MapScene.h>
+#include <psmks/slam/CsvFiles.h>
 
 namespace psmks
 {

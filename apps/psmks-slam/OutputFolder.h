@@ -3,7 +3,7 @@
 
 #include <apps/psmks-slam/SummaryOutput.h>
 #include <mrpt/maps/CSimpleMap.h>
-#include <psmks/mrpt/ScanMap.h>
+#include <psmks/slam/ScanMap.h>
 
 #include <filesystem>
 #include <string>

@@ -10,7 +10,7 @@
 #include <psmks/eval/Relations.h>
 #include <psmks/mrpt/MapFiles.h>
 #include <psmks/mrpt/OpenLog.h>
-#include <psmks/mrpt/TrajectoryBuilder.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <memory>
 #include <optional>

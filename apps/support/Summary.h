@@ -2,7 +2,7 @@
 #pragma once
 
 #include <psmks/eval/TrajectoryError.h>
-#include <psmks/mrpt/TrajectoryBuilder.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <map>
 #include <optional>

@@ -4,7 +4,7 @@
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <psmks/mrpt/RawlogReader.h>
-#include <psmks/mrpt/TrajectoryBuilder.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <string>
 

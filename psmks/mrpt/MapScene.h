@@ -2,7 +2,7 @@
 #pragma once
 
 #include <mrpt/opengl/COpenGLScene.h>
-#include <psmks/mrpt/ScanMap.h>
+#include <psmks/slam/ScanMap.h>
 
 namespace psmks
 {

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/experiments/DrivePictures.h>
-#include <psmks/mrpt/ScanMap.h>
+#include <psmks/slam/ScanMap.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/experiments/MethodRun.h>
 #include <psmks/eval/Statistics.h>
-#include <psmks/mrpt/ScanMap.h>
 #include <psmks/sim/DriftFloor.h>
+#include <psmks/slam/ScanMap.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <apps/psmks-benchmark/experiments/Drive.h>
 #include <apps/psmks-benchmark/experiments/Method.h>
 #include <psmks/core/MatcherOptions.h>
-#include <psmks/mrpt/TrajectoryBuilder.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/mrpt/PlaceSearch.h>
+#include <psmks/slam/PlaceSearch.h>
 #include <tests/support/Scenes.h>
 
 namespace psmks

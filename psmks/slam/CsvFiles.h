@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/mrpt/ScanMap.h>
-#include <psmks/mrpt/TrajectoryBuilder.h>
+#include <psmks/slam/ScanMap.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <iosfwd>
 

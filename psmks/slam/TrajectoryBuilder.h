@@ -4,8 +4,8 @@
 #include <psmks/matchers/PairMatcher.h>
 #include <psmks/motion/OdometryNoise.h>
 #include <psmks/motion/Sweep.h>
-#include <psmks/mrpt/KeyframeMap.h>
-#include <psmks/mrpt/PosedScan.h>
+#include <psmks/slam/KeyframeMap.h>
+#include <psmks/slam/PosedScan.h>
 #include <psmks/slam/ReferencePolicy.h>
 
 #include <memory>

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/ScanMap.h>
 #include <psmks/segmentation/Segmentation.h>
+#include <psmks/slam/ScanMap.h>
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/mrpt/PosedScan.h>
 #include <psmks/slam/PoseGraph.h>
+#include <psmks/slam/PosedScan.h>
 #include <psmks/slam/ReferencePolicy.h>
 
 #include <optional>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/KeyframeMap.h>
-#include <psmks/mrpt/PlaceSearch.h>
 #include <psmks/slam/GraphDistance.h>
+#include <psmks/slam/KeyframeMap.h>
 #include <psmks/slam/Overlap.h>
+#include <psmks/slam/PlaceSearch.h>
 
 #include <Eigen/LU>
 #include <algorithm>

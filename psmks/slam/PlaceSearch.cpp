@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/PlaceSearch.h>
 #include <psmks/slam/Overlap.h>
+#include <psmks/slam/PlaceSearch.h>
 
 #include <algorithm>
 #include <cmath>

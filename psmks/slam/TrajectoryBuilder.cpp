@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
-#include <psmks/mrpt/TrajectoryBuilder.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <algorithm>
 

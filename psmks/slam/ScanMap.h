@@ -2,7 +2,7 @@
 #pragma once
 
 #include <psmks/core/MatcherOptions.h>
-#include <psmks/mrpt/TrajectoryBuilder.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <Eigen/Core>
 #include <vector>
