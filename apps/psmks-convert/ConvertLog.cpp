@@ -3,7 +3,7 @@
 #include <apps/psmks-convert/LogSink.h>
 #include <apps/support/LogScan.h>
 #include <apps/support/Progress.h>
-#include <psmks/mrpt/OpenLog.h>
+#include <psmks/logs/OpenLog.h>
 
 #include <iostream>
 

@@ -2,8 +2,8 @@
 #include <apps/psmks-convert/LogSink.h>
 #include <apps/psmks-convert/PairsSink.h>
 #include <apps/support/TextFile.h>
-#include <psmks/mrpt/CarmenWriter.h>
-#include <psmks/mrpt/RawlogWriter.h>
+#include <psmks/logs/CarmenWriter.h>
+#include <psmks/logs/RawlogWriter.h>
 
 namespace psmks
 {

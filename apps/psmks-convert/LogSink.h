@@ -2,7 +2,7 @@
 #pragma once
 
 #include <apps/psmks-convert/CommandLine.h>
-#include <psmks/mrpt/LogReader.h>
+#include <psmks/logs/LogReader.h>
 
 #include <memory>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include <apps/support/WorldPicture.h>
 #include <psmks/eval/Trajectory.h>
-#include <psmks/mrpt/RawlogWriter.h>
+#include <psmks/logs/RawlogWriter.h>
 #include <psmks/sim/Simulation.h>
 
 #include <string>

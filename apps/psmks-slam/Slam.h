@@ -8,8 +8,8 @@
 #include <mrpt/maps/CSimpleMap.h>
 #include <psmks/base/Stopwatch.h>
 #include <psmks/eval/Relations.h>
+#include <psmks/logs/OpenLog.h>
 #include <psmks/mrpt/MapFiles.h>
-#include <psmks/mrpt/OpenLog.h>
 #include <psmks/slam/TrajectoryBuilder.h>
 
 #include <memory>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/mrpt/OpenLog.h>
+#include <psmks/logs/OpenLog.h>
 
 #include <optional>
 #include <string>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <psmks/geometry/Scan.h>
+#include <psmks/logs/LogReader.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/LogReader.h>
 #include <psmks/mrpt/ScanMatcherOptions.h>
 
 #include <optional>

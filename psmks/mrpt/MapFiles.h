@@ -3,7 +3,7 @@
 
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/maps/CSimpleMap.h>
-#include <psmks/mrpt/RawlogReader.h>
+#include <psmks/logs/RawlogReader.h>
 #include <psmks/slam/TrajectoryBuilder.h>
 
 #include <string>

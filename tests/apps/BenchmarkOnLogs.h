@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <psmks/eval/Trajectory.h>
 #include <tests/support/ProgramTest.h>
-#include <tests/unit/mrpt/RoomLog.h>
+#include <tests/unit/logs/RoomLog.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>

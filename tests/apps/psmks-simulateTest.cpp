@@ -4,8 +4,8 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/serialization/CArchive.h>
 #include <psmks/eval/Trajectory.h>
+#include <psmks/logs/RawlogReader.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/RawlogReader.h>
 #include <psmks/sim/Worlds.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/ProgramTest.h>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <tests/support/ProgramTest.h>
 #include <tests/support/Says.h>
-#include <tests/unit/mrpt/RoomLog.h>
+#include <tests/unit/logs/RoomLog.h>
 
 #include <filesystem>
 #include <fstream>

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <psmks/eval/Trajectory.h>
-#include <psmks/mrpt/RawlogReader.h>
+#include <psmks/logs/RawlogReader.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/ProgramTest.h>
-#include <tests/unit/mrpt/CarmenText.h>
-#include <tests/unit/mrpt/RoomLog.h>
+#include <tests/unit/logs/CarmenText.h>
+#include <tests/unit/logs/RoomLog.h>
 
 #include <filesystem>
 #include <fstream>

@@ -5,8 +5,8 @@
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <psmks/geometry/Scan.h>
+#include <psmks/logs/LogReader.h>
 #include <psmks/motion/OdometryNoise.h>
-#include <psmks/mrpt/LogReader.h>
 
 #include <optional>
 #include <string>

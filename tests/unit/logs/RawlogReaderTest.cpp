@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/mrpt/RawlogReader.h>
+#include <psmks/logs/RawlogReader.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/ScratchFolder.h>
-#include <tests/unit/mrpt/RoomLog.h>
+#include <tests/unit/logs/RoomLog.h>
 
 #include <filesystem>
 #include <fstream>

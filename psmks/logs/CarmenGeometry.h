@@ -2,9 +2,9 @@
 #pragma once
 
 #include <psmks/geometry/BeamGrid.h>
-#include <psmks/mrpt/CarmenMessage.h>
-#include <psmks/mrpt/CarmenOptions.h>
-#include <psmks/mrpt/CarmenSurvey.h>
+#include <psmks/logs/CarmenMessage.h>
+#include <psmks/logs/CarmenOptions.h>
+#include <psmks/logs/CarmenSurvey.h>
 
 #include <string>
 

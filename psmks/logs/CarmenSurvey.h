@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/mrpt/CarmenMessage.h>
-#include <psmks/mrpt/CarmenOptions.h>
-#include <psmks/mrpt/NoReturnReading.h>
+#include <psmks/logs/CarmenMessage.h>
+#include <psmks/logs/CarmenOptions.h>
+#include <psmks/logs/NoReturnReading.h>
 
 #include <map>
 #include <optional>

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <psmks/geometry/Angle.h>
-#include <psmks/mrpt/CarmenReader.h>
+#include <psmks/logs/CarmenReader.h>
 #include <psmks/mrpt/Convert.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/ScratchFolder.h>
-#include <tests/unit/mrpt/CarmenText.h>
+#include <tests/unit/logs/CarmenText.h>
 
 #include <filesystem>
 #include <fstream>

@@ -4,8 +4,8 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/serialization/CArchive.h>
+#include <psmks/logs/RawlogReader.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/RawlogReader.h>
 
 #include <regex>
 #include <utility>

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/geometry/Angle.h>
-#include <psmks/mrpt/CarmenGeometry.h>
-#include <psmks/mrpt/CarmenWriter.h>
+#include <psmks/logs/CarmenGeometry.h>
+#include <psmks/logs/CarmenWriter.h>
 
 #include <array>
 #include <charconv>

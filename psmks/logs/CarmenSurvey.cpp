@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/CarmenLines.h>
-#include <psmks/mrpt/CarmenSurvey.h>
+#include <psmks/logs/CarmenLines.h>
+#include <psmks/logs/CarmenSurvey.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/geometry/Angle.h>
-#include <psmks/mrpt/CarmenMessage.h>
+#include <psmks/logs/CarmenMessage.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/mrpt/NoReturnReading.h>
+#include <psmks/logs/NoReturnReading.h>
 
 #include <cmath>
 

@@ -1,13 +1,13 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/geometry/Angle.h>
-#include <psmks/mrpt/CarmenReader.h>
-#include <psmks/mrpt/CarmenWriter.h>
-#include <psmks/mrpt/RawlogReader.h>
-#include <psmks/mrpt/RawlogWriter.h>
+#include <psmks/logs/CarmenReader.h>
+#include <psmks/logs/CarmenWriter.h>
+#include <psmks/logs/RawlogReader.h>
+#include <psmks/logs/RawlogWriter.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/ScratchFolder.h>
-#include <tests/unit/mrpt/CarmenText.h>
+#include <tests/unit/logs/CarmenText.h>
 
 #include <cstdlib>
 #include <fstream>

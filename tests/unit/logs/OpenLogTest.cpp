@@ -1,11 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/mrpt/CarmenReader.h>
-#include <psmks/mrpt/OpenLog.h>
-#include <psmks/mrpt/RawlogReader.h>
+#include <psmks/logs/CarmenReader.h>
+#include <psmks/logs/OpenLog.h>
+#include <psmks/logs/RawlogReader.h>
 #include <tests/support/ScratchFolder.h>
-#include <tests/unit/mrpt/CarmenText.h>
-#include <tests/unit/mrpt/RoomLog.h>
+#include <tests/unit/logs/CarmenText.h>
+#include <tests/unit/logs/RoomLog.h>
 
 #include <fstream>
 

@@ -5,8 +5,8 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/serialization/CArchive.h>
+#include <psmks/logs/RawlogWriter.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/RawlogWriter.h>
 
 namespace psmks
 {

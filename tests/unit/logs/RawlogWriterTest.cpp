@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CRawlog.h>
+#include <psmks/logs/RawlogReader.h>
+#include <psmks/logs/RawlogWriter.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/RawlogReader.h>
-#include <psmks/mrpt/RawlogWriter.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Program.h>
 #include <tests/support/Scenes.h>

@@ -1,12 +1,12 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/logs/CarmenGeometry.h>
+#include <psmks/logs/CarmenLines.h>
+#include <psmks/logs/CarmenOptions.h>
+#include <psmks/logs/CarmenSurvey.h>
+#include <psmks/logs/LogReader.h>
 #include <psmks/motion/OdometryTrack.h>
-#include <psmks/mrpt/CarmenGeometry.h>
-#include <psmks/mrpt/CarmenLines.h>
-#include <psmks/mrpt/CarmenOptions.h>
-#include <psmks/mrpt/CarmenSurvey.h>
-#include <psmks/mrpt/LogReader.h>
 
 #include <map>
 #include <optional>

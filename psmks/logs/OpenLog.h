@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/mrpt/CarmenOptions.h>
-#include <psmks/mrpt/LogReader.h>
+#include <psmks/logs/CarmenOptions.h>
+#include <psmks/logs/LogReader.h>
 
 #include <memory>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #include <mrpt/obs/CActionCollection.h>
 #include <psmks/gzip/GzipInput.h>
+#include <psmks/logs/LogReader.h>
 #include <psmks/motion/OdometryTrack.h>
-#include <psmks/mrpt/LogReader.h>
 
 #include <deque>
 #include <map>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/gzip/GzipInput.h>
-#include <psmks/mrpt/CarmenReader.h>
-#include <psmks/mrpt/OpenLog.h>
-#include <psmks/mrpt/RawlogReader.h>
+#include <psmks/logs/CarmenReader.h>
+#include <psmks/logs/OpenLog.h>
+#include <psmks/logs/RawlogReader.h>
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <psmks/geometry/Pose2.h>
-#include <psmks/mrpt/CarmenWriter.h>
-#include <tests/unit/mrpt/RoomLog.h>
+#include <psmks/logs/CarmenWriter.h>
+#include <tests/unit/logs/RoomLog.h>
 
 #include <iomanip>
 #include <sstream>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <psmks/gzip/GzipOutput.h>
+#include <psmks/logs/LogReader.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/LogReader.h>
 
 #include <optional>
 #include <string>

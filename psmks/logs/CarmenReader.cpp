@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/CarmenReader.h>
+#include <psmks/logs/CarmenReader.h>
+#include <psmks/logs/RawlogWriter.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/RawlogWriter.h>
 
 #include <cmath>
 #include <utility>
