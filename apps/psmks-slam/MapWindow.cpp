@@ -2,7 +2,7 @@
 #include <apps/psmks-slam/MapWindow.h>
 #include <apps/support/ExitCode.h>
 #include <mrpt/gui/CDisplayWindow3D.h>
-#include <psmks/mrpt/MapScene.h>
+#include <psmks/draw/MapScene.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/OutputFolder.h>
 #include <apps/support/TextFile.h>
-#include <psmks/mrpt/MapPicture.h>
-#include <psmks/mrpt/MapScene.h>
+#include <psmks/draw/MapPicture.h>
+#include <psmks/draw/MapScene.h>
 #include <psmks/slam/CsvFiles.h>
 
 namespace psmks

@@ -7,9 +7,9 @@
 #include <apps/support/LogScan.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <psmks/base/Stopwatch.h>
+#include <psmks/draw/MapFiles.h>
 #include <psmks/eval/Relations.h>
 #include <psmks/logs/OpenLog.h>
-#include <psmks/mrpt/MapFiles.h>
 #include <psmks/slam/TrajectoryBuilder.h>
 
 #include <memory>

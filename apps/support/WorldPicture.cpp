@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/WorldPicture.h>
-#include <psmks/mrpt/MapLegend.h>
-#include <psmks/mrpt/MapSheet.h>
+#include <psmks/draw/MapLegend.h>
+#include <psmks/draw/MapSheet.h>
 
 #include <Eigen/Geometry>
 #include <opencv2/imgcodecs.hpp>

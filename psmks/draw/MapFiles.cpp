@@ -5,8 +5,8 @@
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/serialization/CArchive.h>
+#include <psmks/draw/MapFiles.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/MapFiles.h>
 
 namespace psmks
 {

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/mrpt/MapPicture.h>
+#include <psmks/draw/MapPicture.h>
 #include <tests/support/ScratchFolder.h>
 
 #include <fstream>

@@ -3,8 +3,8 @@
 #include <mrpt/opengl/CPointCloud.h>
 #include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/stock_objects.h>
+#include <psmks/draw/MapScene.h>
 #include <psmks/mrpt/Convert.h>
-#include <psmks/mrpt/MapScene.h>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/MapLegend.h>
+#include <psmks/draw/MapLegend.h>
 
 #include <algorithm>
 #include <cmath>

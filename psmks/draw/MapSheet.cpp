@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/mrpt/MapSheet.h>
+#include <psmks/draw/MapSheet.h>
 
 #include <algorithm>
 #include <cmath>
