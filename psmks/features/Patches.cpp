@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/features/Patches.h>
-#include <psmks/segmentation/LineSums.h>
+#include <psmks/segmentation/LineInformation.h>
 
 #include <cmath>
 
@@ -43,7 +43,7 @@ class PatchFinder
   int patchFrom(int first)
   {
     if (!single(first)) return first;
-    LineSums sums;
+    LineInformation sums;
     const Eigen::Vector2d start_m = scan_.point_m(first);
     Eigen::Vector2d previous_m = start_m;
     int last = first;
@@ -62,10 +62,10 @@ class PatchFinder
     return last;
   }
 
-  void keep(const LineSums& sums, int first, int last)
+  void keep(const LineInformation& sums, int first, int last)
   {
     constexpr double kRoughest_m = 0.03;
-    LineSums::Solution s{};
+    LineInformation::Solution s{};
     if (!sums.solve(s)) return;
     const double variance_m2 =
         std::max(scan_.rangeVarianceOf_m2(first), s.chi2 / std::max(1, sums.rays() - 2));

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/features/ShortLines.h>
-#include <psmks/segmentation/LineSums.h>
+#include <psmks/segmentation/LineInformation.h>
 
 #include <cmath>
 
@@ -38,7 +38,8 @@ class ShortLineFinder
            circleOfRay_[static_cast<std::size_t>(ray)] < 0;
   }
 
-  /** Whether the first rays lie on one line: quickly, by the test of three rays (ThreeRayTest.h).
+  /** Whether the first rays lie on one line: quickly, by the test of three rays
+   * (CollinearityStatistic.h).
    */
   bool mayBegin(int first) const
   {
@@ -65,14 +66,14 @@ class ShortLineFinder
   int lineFrom(int first)
   {
     const double variance_m2 = scan_.rangeVarianceOf_m2(first);
-    LineSums sums;
-    LineSums::Solution line{};
+    LineInformation sums;
+    LineInformation::Solution line{};
     int last = first - 1;
     for (int ray = first; ray < scan_.rays() && isSingle(ray); ++ray)
     {
-      LineSums more = sums;
+      LineInformation more = sums;
       more.add(measured(ray));
-      LineSums::Solution longer{};
+      LineInformation::Solution longer{};
       if (more.rays() >= kFewestRays)
       {
         if (!more.solve(longer)) break;
@@ -86,7 +87,8 @@ class ShortLineFinder
     return keep(line, variance_m2, sums.rays(), first, last) ? last : first;
   }
 
-  bool keep(const LineSums::Solution& solution, double variance_m2, int rays, int first, int last)
+  bool keep(const LineInformation::Solution& solution, double variance_m2, int rays, int first,
+            int last)
   {
     Segment segment;
     segment.line = solution.line(variance_m2);

@@ -3,9 +3,9 @@
 
 namespace psmks
 {
-bool PolarLineFilter::start(const LineSums& seed)
+bool PolarLineFilter::start(const LineInformation& seed)
 {
-  LineSums::Solution s{};
+  LineInformation::Solution s{};
   if (!seed.solve(s)) return false;
   const Line line = s.line(noise_.sigma_m * noise_.sigma_m);
   r0_m_ = line.r0_m;

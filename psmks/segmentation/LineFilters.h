@@ -2,12 +2,12 @@
 #pragma once
 
 #include <psmks/geometry/RangeNoise.h>
-#include <psmks/segmentation/RayColumns.h>
+#include <psmks/segmentation/RaySoA.h>
 
 namespace psmks
 {
 /** Kalman filter over consecutive rays, exactly linear: the state u = n / r0 measured by 1/r
- *  (LineSums). No start guess, no linearisation.
+ *  (LineInformation). No start guess, no linearisation.
  *
  * Differs from the paper: its filter is the extended one below, which is inconsistent when started
  * from a few rays (docs/algorithm.md). */
@@ -19,9 +19,9 @@ class LinearLineFilter
   {
   }
 
-  /** Starts from the sums of a few rays, weighed as RayColumns does; false where they fix no line.
+  /** Starts from the sums of a few rays, weighed as RaySoA does; false where they fix no line.
    */
-  bool start(const LineSums& seed)
+  bool start(const LineInformation& seed)
   {
     if (!seed.solve(solution_)) return false;
     widen();
@@ -43,30 +43,30 @@ class LinearLineFilter
   /** A line of many rays hardly changes by one more: it may take a block of rays at once, all held
    * against the line as it was. The gate stays right, for the variance is that of the older,
    * slightly less certain line. */
-  static bool takesBlocks(const LineSums& sums)
+  static bool takesBlocks(const LineInformation& sums)
   {
     constexpr int kManyRays = 8;
     return sums.rays() >= kManyRays;
   }
 
   /** Whether every ray of a block is accepted. */
-  bool acceptsBlock(const RayColumns& rays, int position, double gate) const
+  bool acceptsBlock(const RaySoA& rays, int position, double gate) const
   {
-    using Block = RayColumns::Block;
-    const Block cosine = RayColumns::block(rays.cosine, position);
-    const Block sine = RayColumns::block(rays.sine, position);
+    using Block = RaySoA::Block;
+    const Block cosine = RaySoA::block(rays.cosine, position);
+    const Block sine = RaySoA::block(rays.sine, position);
     const Block expected = solution_.u0 * cosine + solution_.u1 * sine;
     const Block line = cosine * (solution_.p00 * cosine + 2 * solution_.p01 * sine) +
                        solution_.p11 * sine.square();
     const Block variance = variance_m2_ * (expected.square().square() + line);
-    const Block innovation = RayColumns::block(rays.inverseRange_1_m, position) - expected;
+    const Block innovation = RaySoA::block(rays.inverseRange_1_m, position) - expected;
     const Block spare = gate * gate * variance - innovation.square();
     return spare.min(expected).minCoeff() > 0;
   }
 
   /** @param sums of all rays up to now, with the new ones */
-  void update(const MeasuredRay&, const LineSums& sums) { update(sums); }
-  void update(const LineSums& sums)
+  void update(const MeasuredRay&, const LineInformation& sums) { update(sums); }
+  void update(const LineInformation& sums)
   {
     if (sums.solve(solution_)) widen();
   }
@@ -77,14 +77,14 @@ class LinearLineFilter
   void widen()
   {
     if (growth_1_m2_ == 0) return;
-    LineSums::Solution& s = solution_;
+    LineInformation::Solution& s = solution_;
     s.p00 += growth_1_m2_ * s.u0 * s.u0;
     s.p01 += growth_1_m2_ * s.u0 * s.u1;
     s.p11 += growth_1_m2_ * s.u1 * s.u1;
   }
 
   double variance_m2_, growth_1_m2_;
-  LineSums::Solution solution_{};
+  LineInformation::Solution solution_{};
 };
 
 /** The paper's extended Kalman filter on (r0, phi0) with the measurement r = r0 / cos(b - phi0). */
@@ -93,10 +93,10 @@ class PolarLineFilter
  public:
   explicit PolarLineFilter(const RangeNoise& noise) : noise_(noise) {}
 
-  bool start(const LineSums& seed);
+  bool start(const LineInformation& seed);
   bool accepts(const MeasuredRay& ray, double gate) const;
   void update(const MeasuredRay& ray);
-  void update(const MeasuredRay& ray, const LineSums&) { update(ray); }
+  void update(const MeasuredRay& ray, const LineInformation&) { update(ray); }
 
   /** The state with its covariance. */
   Line line() const;

@@ -77,7 +77,7 @@ Eigen::Map<const Lanes> lanes(const std::vector<double>& column, int position)
   return Eigen::Map<const Lanes>(column.data() + position);
 }
 
-Lanes belongs(const RayColumns& rays, int position, const RayRange& range)
+Lanes belongs(const RaySoA& rays, int position, const RayRange& range)
 {
   Lanes result;
   for (int k = 0; k < kLanes; ++k)
@@ -91,7 +91,7 @@ Lanes belongs(const RayColumns& rays, int position, const RayRange& range)
 /** @tparam kGrows whether the noise does: rows and residuals are then divided by its growth where
  *  the line is, not where the ray is measured, for that would prefer rays that are too short */
 template <bool kGrows>
-NormalSums accumulate(const RayColumns& rays, const RayRange& range, const LineStart& line)
+NormalSums accumulate(const RaySoA& rays, const RayRange& range, const LineStart& line)
 {
   const double growth_1_m2 = rays.noise.growth_1_m2();
   const double c0 = line.normal.x(), s0 = line.normal.y();
@@ -113,7 +113,7 @@ NormalSums accumulate(const RayColumns& rays, const RayRange& range, const LineS
 }
 }  // namespace
 
-LineFit fitLine(const RayColumns& rays, const RayRange& range, const LineStart& start)
+LineFit fitLine(const RaySoA& rays, const RayRange& range, const LineStart& start)
 {
   const double sigma_m = rays.noise.sigma_m, variance_m2 = sigma_m * sigma_m;
   const NormalSums n = rays.noise.grows() ? accumulate<true>(rays, range, start)

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/segmentation/RayColumns.h>
+#include <psmks/segmentation/RaySoA.h>
 
 namespace psmks
 {
@@ -39,5 +39,5 @@ struct LineStart
 /** Least squares of (r0, phi0) over the rays of a range: one Gauss-Newton step from `start`, which
  * the linear filter's line is close enough for (it is off by less than its own sigma), and the
  * tests for curvature (a quadratic term along the line, fitted with it) and whiteness. */
-LineFit fitLine(const RayColumns& rays, const RayRange& range, const LineStart& start);
+LineFit fitLine(const RaySoA& rays, const RayRange& range, const LineStart& start);
 }  // namespace psmks

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/segmentation/CollinearityStatistic.h>
 #include <psmks/segmentation/NoiseEstimate.h>
-#include <psmks/segmentation/ThreeRayTest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr double kLargest_m = 0.08;          // beyond, it is clutter and not no
 constexpr double kLargestPerMetre_m = 0.03;  // the same
 
 /** Between near and far; 0 where there are no ranges. */
-double meanRange_m(const RayColumns& rays)
+double meanRange_m(const RaySoA& rays)
 {
   double sum_m = 0;
   int returns = 0;
@@ -27,7 +27,7 @@ double meanRange_m(const RayColumns& rays)
 }
 
 /** Of the ranges of a span; 0 where there are none. */
-double medianRange_m(const RayColumns& rays, const RangeSpan& span, std::vector<double>& scratch)
+double medianRange_m(const RaySoA& rays, const RangeSpan& span, std::vector<double>& scratch)
 {
   scratch.clear();
   for (int p = 0; p < rays.rays; ++p)
@@ -43,7 +43,7 @@ double medianRange_m(const RayColumns& rays, const RangeSpan& span, std::vector<
 /** The variances of the near and of the far rays give var(r) = sigma^2 + slope^2 r^2.
  *  @return none where the far rays are not clearly noisier than the near ones, and than `least_m`
  */
-std::optional<RangeNoise> grownNoise(const RayColumns& rays, double least_m,
+std::optional<RangeNoise> grownNoise(const RaySoA& rays, double least_m,
                                      std::vector<double>& scratch)
 {
   constexpr double kClearGrowth = 2;
@@ -65,7 +65,7 @@ std::optional<RangeNoise> grownNoise(const RayColumns& rays, double least_m,
 }
 }  // namespace
 
-RangeNoise shownNoise(const RayColumns& rays, std::vector<double>& scratch)
+RangeNoise shownNoise(const RaySoA& rays, std::vector<double>& scratch)
 {
   constexpr double kSomewhatMore = 1.2, kClearlyMore = 1.6;
   const RangeNoise& stated = rays.noise;

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/segmentation/RayColumns.h>
+#include <psmks/segmentation/RaySoA.h>
 
 #include <vector>
 
@@ -15,5 +15,5 @@ namespace psmks
  * Never lowered: real ranges are wrong by more than their scatter, alike for all rays of a wall,
  * and lines that are held to be better than they are break at that.
  *  @param rays with the noise that they are said to have */
-RangeNoise shownNoise(const RayColumns& rays, std::vector<double>& scratch);
+RangeNoise shownNoise(const RaySoA& rays, std::vector<double>& scratch);
 }  // namespace psmks

@@ -17,7 +17,7 @@ namespace
 constexpr double kSame_m = 1e-5;  // ranges that differ by less differ by their storage
 
 /** Between two neighbouring positions, the first being p; 0 where one has no range. */
-double difference_m(const RayColumns& rays, int p)
+double difference_m(const RaySoA& rays, int p)
 {
   const auto at = static_cast<std::size_t>(p);
   if (!rays.valid(p) || !rays.valid(p + 1)) return 0;
@@ -28,7 +28,7 @@ double difference_m(const RayColumns& rays, int p)
 
 /** The smallest difference between neighbouring ranges; 0 where one is below `least_m`, which is
  * so after a few rays where ranges are fine. */
-double smallestDifference_m(const RayColumns& rays, double least_m)
+double smallestDifference_m(const RaySoA& rays, double least_m)
 {
   double smallest_m = std::numeric_limits<double>::infinity();
   for (int p = 0; p + 1 < rays.rays; ++p)
@@ -42,7 +42,7 @@ double smallestDifference_m(const RayColumns& rays, double least_m)
 }
 
 /** Whether neighbouring ranges differ by multiples of a step, many of them. */
-bool areMultiples(const RayColumns& rays, double step_m)
+bool areMultiples(const RaySoA& rays, double step_m)
 {
   constexpr int kEnough = 20;
   constexpr double kRounding = 0.01;  // of the step
@@ -94,7 +94,7 @@ struct Waves
 
 /** Differences of neighbouring ranges by size; what is smaller or larger is left out, as beside
  * rays without a range, which read 0. */
-Bins countDifferences(const RayColumns& rays)
+Bins countDifferences(const RaySoA& rays)
 {
   constexpr int kPlenty = 1000;
   std::array<std::uint8_t, kPlenty> bins;
@@ -114,7 +114,7 @@ Bins countDifferences(const RayColumns& rays)
 }
 
 /** The length of the wave on whose crests the differences stand, or 0. */
-double stepBeneathNoise_m(const RayColumns& rays)
+double stepBeneathNoise_m(const RaySoA& rays)
 {
   static const Waves waves;
   constexpr float kEnough = 30, kClear = 0.55F;  // real scans reach 0.45
@@ -138,7 +138,7 @@ RangeNoise RangeRounding::addedTo(RangeNoise noise) const
   return noise;
 }
 
-RangeRounding findRounding(const RayColumns& rays)
+RangeRounding findRounding(const RaySoA& rays)
 {
   constexpr double kCoarse = 1.75;  // of sigma: rounding then adds an eighth of it or more
   const double least_m = kCoarse * rays.noise.sigma_m;

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/segmentation/RayColumns.h>
+#include <psmks/segmentation/RaySoA.h>
 
 namespace psmks
 {
@@ -28,5 +28,5 @@ struct RangeRounding
  *     s        '--.        steps of 6 to 20 cm are found beneath noise of up to a tenth of them
  *
  * Steps that are fine beside the noise that the rays are said to have are left out. */
-RangeRounding findRounding(const RayColumns& rays);
+RangeRounding findRounding(const RaySoA& rays);
 }  // namespace psmks

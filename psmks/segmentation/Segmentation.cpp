@@ -1,11 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/segmentation/CollinearityStatistic.h>
 #include <psmks/segmentation/LineFilters.h>
 #include <psmks/segmentation/LineFit.h>
 #include <psmks/segmentation/NoiseEstimate.h>
 #include <psmks/segmentation/Preprocessing.h>
 #include <psmks/segmentation/RangeRounding.h>
 #include <psmks/segmentation/Segmentation.h>
-#include <psmks/segmentation/ThreeRayTest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ RangeNoise statedNoise(const Scan& scan, const SegmentationOptions& options)
 }
 
 /** Counts rounding as noise, and takes off what it adds to the ranges. */
-void allowForRounding(SegmentedScan& scan, RayColumns& rays)
+void allowForRounding(SegmentedScan& scan, RaySoA& rays)
 {
   const RangeRounding rounding = findRounding(rays);
   if (!(rounding.step_m > 0)) return;
@@ -38,11 +38,11 @@ void allowForRounding(SegmentedScan& scan, RayColumns& rays)
 /** The line of the marked rays by the paper's filter, or `otherwise` where it does not start. It
  * linearises at its estimate: it starts from as many rays as the paper's authors take for a seed,
  * or from all of a shorter line. */
-Line extendedFilterLine(const RayColumns& rays, const RayRange& range, const Line& otherwise)
+Line extendedFilterLine(const RaySoA& rays, const RayRange& range, const Line& otherwise)
 {
   const int startRays = std::min(kEkfStartRays, range.rays);
   PolarLineFilter filter(rays.noise);
-  LineSums seed;
+  LineInformation seed;
   bool started = false;
   for (int p = range.first; p <= range.last; ++p)
   {
@@ -59,10 +59,9 @@ Line extendedFilterLine(const RayColumns& rays, const RayRange& range, const Lin
 }
 
 /** The line of a run's rays by the filter that the options choose. */
-LineFit fitRun(const RayColumns& rays, const LineRun& run, int mark,
-               const SegmentationOptions& options)
+LineFit fitRun(const RaySoA& rays, const LineRun& run, int mark, const SegmentationOptions& options)
 {
-  LineSums::Solution s{};
+  LineInformation::Solution s{};
   if (!run.sums.solve(s)) return {};
   const RayRange range{run.first, run.last, mark, run.sums.rays()};
   const double r0_m = 1 / std::sqrt(s.u0 * s.u0 + s.u1 * s.u1);
@@ -144,7 +143,7 @@ Segment makeSegment(const LineFit& fit, int firstRay, int lastRay, const Segment
 class Finish
 {
  public:
-  Finish(const LineRuns& lines, const SegmentationOptions& options, RayColumns& rays,
+  Finish(const LineGrowing& lines, const SegmentationOptions& options, RaySoA& rays,
          SegmentedScan& scan)
       : lines_(lines), options_(options), rays_(rays), scan_(scan)
   {
@@ -218,9 +217,9 @@ class Finish
     }
   }
 
-  const LineRuns& lines_;
+  const LineGrowing& lines_;
   const SegmentationOptions& options_;
-  RayColumns& rays_;
+  RaySoA& rays_;
   SegmentedScan& scan_;
 };
 }  // namespace
@@ -231,7 +230,7 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
 {
   cleanScan(scan, preprocessing, result);
   medianFilter(preprocessing.medianWindow, buffers.scratch, result);
-  RayColumns& rays = buffers.rays;
+  RaySoA& rays = buffers.rays;
   result.rangeNoise = statedNoise(scan, options);
   rays.load(result);
   if (options.estimateRangeSigma && scan.rangeSigma_m <= 0) allowForRounding(result, rays);
@@ -242,7 +241,7 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
   if (result.grid.closed()) rays.startAt(result, strongestBreak(rays));
   rays.computeMoments();
 
-  LineRuns lines(options, rays, buffers.runs);
+  LineGrowing lines(options, rays, buffers.runs);
   lines.grow();
   lines.contestCorners();
   lines.mergeCollinear();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <psmks/geometry/Scan.h>
-#include <psmks/segmentation/LineRuns.h>
+#include <psmks/segmentation/LineGrowing.h>
 #include <psmks/segmentation/ScannerNoise.h>
 #include <psmks/segmentation/SegmentationOptions.h>
 #include <psmks/segmentation/SegmentedScan.h>
@@ -13,7 +13,7 @@ namespace psmks
 struct SegmentationBuffers
 {
   std::vector<double> scratch;  //!< one number per ray, for medians
-  RayColumns rays;
+  RaySoA rays;
   std::vector<LineRun> runs;
 };
 

@@ -31,7 +31,7 @@ std::vector<MeasuredRay> raysOn(const Line& line, int count, test::RandomNumbers
 template <class Filter>
 bool startOn(Filter& filter, const std::vector<MeasuredRay>& rays, int seedRays)
 {
-  LineSums seed;
+  LineInformation seed;
   for (int i = 0; i < seedRays; ++i) seed.add(rays[static_cast<std::size_t>(i)]);
   return filter.start(seed);
 }
@@ -41,7 +41,7 @@ template <class Filter>
 bool runOn(Filter& filter, const std::vector<MeasuredRay>& rays, std::size_t seedRays,
            std::size_t end)
 {
-  LineSums sums;
+  LineInformation sums;
   for (std::size_t i = 0; i < seedRays; ++i) sums.add(rays[i]);
   if (!filter.start(sums)) return false;
   for (std::size_t i = seedRays; i < end; ++i)
@@ -139,14 +139,14 @@ TEST(LinearLineFilter, ABlockIsAcceptedWhereEveryRayIs)
     for (int i = 0; i < 41; ++i)
       scan.range_m.push_back(line.rangeAt_m(scan.grid.bearing_rad(i)) +
                              random.normal(2 * kSigma_m));
-    RayColumns columns;
+    RaySoA columns;
     columns.load(scan);
-    LineSums seed;
+    LineInformation seed;
     for (int p = 0; p < 20; ++p) seed.add(columns.measured(p));
     LinearLineFilter filter({kSigma_m});
     ASSERT_TRUE(filter.start(seed));
     bool every = true;
-    for (int p = 20; p < 20 + RayColumns::kBlock; ++p)
+    for (int p = 20; p < 20 + RaySoA::kBlock; ++p)
       every = every && filter.accepts(columns.measured(p), 3);
     EXPECT_EQ(filter.acceptsBlock(columns, 20, 3), every);
     accepted += every;
@@ -158,7 +158,7 @@ TEST(LinearLineFilter, ABlockIsAcceptedWhereEveryRayIs)
 TYPED_TEST(LineFilters, DoNotStartFromOneDirection)
 {
   TypeParam filter({kSigma_m});
-  LineSums seed;
+  LineInformation seed;
   seed.add(rayOf(0.2, 2));
   seed.add(rayOf(0.2, 2));
   EXPECT_FALSE(filter.start(seed));
@@ -173,7 +173,7 @@ TEST(PolarLineFilter, EndsNearTheBatchFitOfAWellConditionedWall)
     std::mt19937 rng(seed);
     const BeamGrid grid = BeamGrid::centered(degToRad(79), 80);
     const Scan scan = castScan(walls, {}, grid, 30, kSigma_m, rng);
-    RayColumns columns;
+    RaySoA columns;
     columns.load(segmentByWalls(scan, walls, {}));
     std::fill_n(columns.mark.begin(), 80, 0);
     const LineFit batch = fitLine(columns, {0, 79, 0, 80}, {{1, 0}, 2});

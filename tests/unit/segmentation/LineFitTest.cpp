@@ -13,21 +13,21 @@ namespace
 constexpr double kSigma_m = 0.01;
 
 /** All rays of a grid on one line, with ranges by bearing, from ray `start` on. */
-RayColumns raysOf(const BeamGrid& grid, const std::function<double(double)>& rangeAt_m,
-                  int start = 0, const RangeNoise& noise = {kSigma_m})
+RaySoA raysOf(const BeamGrid& grid, const std::function<double(double)>& rangeAt_m, int start = 0,
+              const RangeNoise& noise = {kSigma_m})
 {
   SegmentedScan scan;
   scan.rangeNoise = noise;
   scan.grid = grid;
   for (int i = 0; i < grid.count(); ++i) scan.range_m.push_back(rangeAt_m(grid.bearing_rad(i)));
-  RayColumns rays;
+  RaySoA rays;
   rays.load(scan);
   rays.startAt(scan, start);
   std::fill_n(rays.mark.begin(), rays.rays, 0);
   return rays;
 }
 
-RayRange allOf(const RayColumns& rays) { return {0, rays.rays - 1, 0, rays.rays}; }
+RayRange allOf(const RaySoA& rays) { return {0, rays.rays - 1, 0, rays.rays}; }
 
 LineStart startAt(const Line& line) { return {line.normal(), line.r0_m}; }
 
@@ -53,7 +53,7 @@ const BeamGrid kGrid = BeamGrid::centered(degToRad(60), 61);
 TEST(LineFit, ExactRaysGiveTheirLine)
 {
   const Line truth{2, 0.3, {}};
-  const RayColumns rays = raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
+  const RaySoA rays = raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
   const LineFit fit = fitLine(rays, allOf(rays), startAt(truth));
   EXPECT_EQ(fit.rays, 61);
   EXPECT_NEAR(fit.line.r0_m, 2, 1e-12);
@@ -70,7 +70,7 @@ TEST(LineFit, StepAndCovarianceAreThoseOfTheNumericDerivative)
   for (int round = 0; round < 20; ++round)
   {
     const Line truth{random.uniform(0.5, 6), random.uniform(-0.6, 0.6), {}};
-    const RayColumns rays =
+    const RaySoA rays =
         raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
     const Line start{truth.r0_m + random.normal(0.003), truth.phi0_rad + random.normal(0.003), {}};
     const LineFit fit = fitLine(rays, allOf(rays), startAt(start));
@@ -108,7 +108,7 @@ TEST(LineFit, EveryRayCountsByItsOwnNoise)
       const double true_m = truth.rangeAt_m(b);
       return true_m + random.normal(noise.sigmaAt_m(true_m));
     };
-    RayColumns rays = raysOf(grid, range_m, 0, noise);
+    RaySoA rays = raysOf(grid, range_m, 0, noise);
     const LineFit fit = fitLine(rays, allOf(rays), startAt(truth));
     chi2 += fit.chi2 / (fit.rays - 2) / kWalls;
     const double off_m = fit.line.r0_m - truth.r0_m;
@@ -127,7 +127,7 @@ TEST(LineFit, EveryRayCountsByItsOwnNoise)
 TEST(LineFit, OnlyMarkedRaysOfTheRangeCount)
 {
   const Line truth{2, 0, {}};
-  RayColumns rays = raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
+  RaySoA rays = raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b); });
   rays.range_m[20] = 1;  // passed over: another mark
   rays.mark[20] = SegmentedScan::kNoSegment;
   rays.range_m[5] = 1;  // before the range
@@ -140,7 +140,7 @@ TEST(LineFit, ARangeGoesOnAcrossTheSeam)
 {
   const BeamGrid grid = BeamGrid::centered(2 * kPi, 360);
   const Line truth{2, kPi, {}};  // the foot is at the seam
-  const RayColumns rays = raysOf(
+  const RaySoA rays = raysOf(
       grid, [&](double b) { return truth.rangeAt_m(b); }, 330);
   const LineFit fit = fitLine(rays, {0, 59, 0, 60}, startAt(truth));
   EXPECT_EQ(fit.rays, 60);
@@ -161,7 +161,7 @@ TEST(LineFit, TheCurvatureOfARoundWallIsMeasured)
   };
   test::RandomNumbers random(32);
   SCOPED_TRACE(random.seedText());
-  const RayColumns rays =
+  const RaySoA rays =
       raysOf(BeamGrid::centered(degToRad(20), 61),
              [&](double b) { return pillar(b) + random.normal(0.002); }, 0, {0.002});
   const LineFit fit = fitLine(rays, allOf(rays), {{1, 0}, 2.01});
@@ -178,7 +178,7 @@ TEST(LineFit, AWallHasNoCurvatureAndWhiteResiduals)
   for (int wall = 0; wall < kWalls; ++wall)
   {
     const Line truth{random.uniform(1, 4), random.uniform(-0.4, 0.4), {}};
-    const RayColumns rays =
+    const RaySoA rays =
         raysOf(kGrid, [&](double b) { return truth.rangeAt_m(b) + random.normal(kSigma_m); });
     const LineFit fit = fitLine(rays, allOf(rays), startAt(truth));
     curvature2 += std::pow(fit.curvature_1_m / fit.curvatureSigma_1_m, 2) / kWalls;
@@ -197,7 +197,7 @@ TEST(LineFit, AStepOfTwoCentimetresIsNotWhite)
   test::RandomNumbers random(34);
   SCOPED_TRACE(random.seedText());
   const Line far{2.02, 0, {}}, near{2, 0, {}};
-  const RayColumns rays = raysOf(
+  const RaySoA rays = raysOf(
       kGrid, [&](double b) { return (b < 0 ? far : near).rangeAt_m(b) + random.normal(0.005); }, 0,
       {0.005});
   EXPECT_GT(fitLine(rays, allOf(rays), {{1, 0}, 2.01}).whiteness, 2.5);

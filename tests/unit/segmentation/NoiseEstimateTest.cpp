@@ -13,7 +13,7 @@ constexpr RangeNoise kStated{0.01};
 //   +-----------------+
 //   |  s              |     walls from 1.5 to 12 m away
 //   +-----------------+
-RayColumns rays(const RangeNoise& real, unsigned seed, const RangeNoise& stated = kStated)
+RaySoA rays(const RangeNoise& real, unsigned seed, const RangeNoise& stated = kStated)
 {
   const std::vector<Wall> room = outline({{-1.5, -2}, {12, -2}, {12, 2}, {-1.5, 2}});
   std::mt19937 rng(seed);
@@ -23,7 +23,7 @@ RayColumns rays(const RangeNoise& real, unsigned seed, const RangeNoise& stated 
   SegmentedScan scan;
   cleanScan(raw, {}, scan);
   scan.rangeNoise = stated;
-  RayColumns rays;
+  RaySoA rays;
   rays.load(scan);
   return rays;
 }

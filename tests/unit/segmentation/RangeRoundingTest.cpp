@@ -56,7 +56,7 @@ RangeRounding found(const Scan& raw, double stated_m = kStated_m)
   SegmentedScan scan;
   cleanScan(raw, {}, scan);
   scan.rangeNoise = {stated_m};
-  RayColumns rays;
+  RaySoA rays;
   rays.load(scan);
   return findRounding(rays);
 }

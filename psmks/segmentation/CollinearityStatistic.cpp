@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/segmentation/ThreeRayTest.h>
+#include <psmks/segmentation/CollinearityStatistic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Fraction
 class ThreeRays
 {
  public:
-  explicit ThreeRays(const RayColumns& rays)
+  explicit ThreeRays(const RaySoA& rays)
       : inverse_(rays.inverseRange_1_m.data()),
         twoCosine_(2 * cosineOfIncrement(rays)),
         growth_1_m2_(rays.noise.growth_1_m2())
@@ -60,7 +60,7 @@ class ThreeRays
     return x * x + y * y + z * z;
   }
 
-  static double cosineOfIncrement(const RayColumns& rays)
+  static double cosineOfIncrement(const RaySoA& rays)
   {
     if (rays.rays < 2) return 1;
     return rays.cosine[0] * rays.cosine[1] + rays.sine[0] * rays.sine[1];
@@ -72,23 +72,23 @@ class ThreeRays
 
 }  // namespace
 
-void threeRayTests(const RayColumns& rays, std::vector<double>& tests_m2, const RangeSpan& span)
+void collinearityStatistics(const RaySoA& rays, std::vector<double>& statistics_m2,
+                            const RangeSpan& span)
 {
   const ThreeRays test(rays);
-  tests_m2.clear();
+  statistics_m2.clear();
   for (int p = 1; p < rays.rays - 1; ++p)
   {
     const Fraction f = test.at(p - 1, p, p + 1);
     const bool counts =
         test.valid(p - 1, p, p + 1) && span.holds(rays.range_m[static_cast<std::size_t>(p)]);
-    if (counts) tests_m2.push_back(f.square / f.variance);
+    if (counts) statistics_m2.push_back(f.square / f.variance);
   }
 }
 
-double estimateRangeSigma_m(const RayColumns& rays, std::vector<double>& scratch,
-                            const RangeSpan& span)
+double estimateRangeSigma_m(const RaySoA& rays, std::vector<double>& scratch, const RangeSpan& span)
 {
-  threeRayTests(rays, scratch, span);
+  collinearityStatistics(rays, scratch, span);
   const auto end = std::partition(scratch.begin(), scratch.end(),
                                   [](double test_m2) { return test_m2 <= kEdge_m * kEdge_m; });
   const auto tests = end - scratch.begin();
@@ -98,7 +98,7 @@ double estimateRangeSigma_m(const RayColumns& rays, std::vector<double>& scratch
   return std::sqrt(*middle) / kMedianOfAbsoluteNormal;
 }
 
-bool mayShowNoiseAbove(const RayColumns& rays, double sigma_m)
+bool mayShowNoiseAbove(const RaySoA& rays, double sigma_m)
 {
   constexpr int kSmallestStep = 3;  // tests that share no ray
   constexpr int kEnoughTests = 60;
@@ -117,7 +117,7 @@ bool mayShowNoiseAbove(const RayColumns& rays, double sigma_m)
   return 2 * below <= tests;
 }
 
-int strongestBreak(const RayColumns& rays)
+int strongestBreak(const RaySoA& rays)
 {
   const ThreeRays test(rays);
   int strongest = 0;

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/segmentation/RayColumns.h>
+#include <psmks/segmentation/RaySoA.h>
 
 #include <algorithm>
 
@@ -10,20 +10,20 @@ namespace
 /** A column that begins with element `first`, goes round, and ends in a block of zeros. */
 void copyFrom(const double* source, int count, int first, std::vector<double>& column)
 {
-  column.resize(static_cast<std::size_t>(count + RayColumns::kBlock));
+  column.resize(static_cast<std::size_t>(count + RaySoA::kBlock));
   const auto rest = std::copy(source + first, source + count, column.begin());
   std::fill(std::copy(source, source + first, rest), column.end(), 0.0);
 }
 }  // namespace
 
-void RayColumns::load(const SegmentedScan& scan)
+void RaySoA::load(const SegmentedScan& scan)
 {
   rays = scan.rays();
   noise = scan.rangeNoise;
   startAt(scan, 0);
 }
 
-void RayColumns::startAt(const SegmentedScan& scan, int ray)
+void RaySoA::startAt(const SegmentedScan& scan, int ray)
 {
   start = ray;
   copyFrom(scan.grid.cosines(), rays, ray, cosine);
@@ -35,11 +35,11 @@ void RayColumns::startAt(const SegmentedScan& scan, int ray)
   mark.assign(range_m.size(), SegmentedScan::kNoSegment);
 }
 
-void RayColumns::computeMoments()
+void RaySoA::computeMoments()
 {
   moments.resize(range_m.size());
   for (std::size_t p = 0; p < moments.size(); ++p)
-    moments[p] = LineSums::moments(cosine[p], sine[p], range_m[p]);
+    moments[p] = LineInformation::moments(cosine[p], sine[p], range_m[p]);
   if (!noise.grows()) return;
   for (std::size_t p = 0; p < moments.size(); ++p) moments[p] *= noise.weightAt(range_m[p]);
 }

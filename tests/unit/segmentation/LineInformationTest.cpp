@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/segmentation/LineSums.h>
+#include <psmks/segmentation/LineInformation.h>
 #include <tests/support/RandomNumbers.h>
 
 #include <Eigen/LU>
@@ -34,21 +34,21 @@ std::vector<MeasuredRay> noisyRays(test::RandomNumbers& random, int count)
   return rays;
 }
 
-LineSums sumsOf(const std::vector<MeasuredRay>& rays)
+LineInformation sumsOf(const std::vector<MeasuredRay>& rays)
 {
-  LineSums sums;
+  LineInformation sums;
   for (const MeasuredRay& ray : rays) sums.add(ray);
   return sums;
 }
 
-LineSums::Solution solutionOf(const LineSums& sums)
+LineInformation::Solution solutionOf(const LineInformation& sums)
 {
-  LineSums::Solution solution{};
+  LineInformation::Solution solution{};
   EXPECT_TRUE(sums.solve(solution));
   return solution;
 }
 
-void expectSame(const LineSums::Solution& a, const LineSums::Solution& b)
+void expectSame(const LineInformation::Solution& a, const LineInformation::Solution& b)
 {
   EXPECT_NEAR(a.u0, b.u0, 1e-10);
   EXPECT_NEAR(a.u1, b.u1, 1e-10);
@@ -59,18 +59,18 @@ void expectSame(const LineSums::Solution& a, const LineSums::Solution& b)
 }
 }  // namespace
 
-TEST(LineSums, ExactRaysGiveTheirLineBack)
+TEST(LineInformation, ExactRaysGiveTheirLineBack)
 {
   for (const Line& line : {Line{2, 0.3, {}}, Line{0.2, -3.1, {}}, Line{25, 1.6, {}}})
   {
-    const LineSums::Solution s = solutionOf(sumsOf(exactRays(line, 15)));
+    const LineInformation::Solution s = solutionOf(sumsOf(exactRays(line, 15)));
     EXPECT_NEAR(s.line(1).r0_m, line.r0_m, 1e-9 * line.r0_m);
     EXPECT_NEAR(s.line(1).phi0_rad, line.phi0_rad, 1e-9);
     EXPECT_NEAR(s.chi2, 0, 1e-10 * line.r0_m * line.r0_m);
   }
 }
 
-TEST(LineSums, AreTheWeightedLeastSquaresOfTheExplicitSums)
+TEST(LineInformation, AreTheWeightedLeastSquaresOfTheExplicitSums)
 {
   test::RandomNumbers random(11);
   SCOPED_TRACE(random.seedText());
@@ -91,7 +91,7 @@ TEST(LineSums, AreTheWeightedLeastSquaresOfTheExplicitSums)
     chi2 += std::pow(ray.range_m, 4) *
             std::pow(1 / ray.range_m - u.dot(Eigen::Vector2d(ray.cosine, ray.sine)), 2);
 
-  const LineSums::Solution s = solutionOf(sumsOf(rays));
+  const LineInformation::Solution s = solutionOf(sumsOf(rays));
   expectSame(s, {u.x(), u.y(), inverse(0, 0), inverse(0, 1), inverse(1, 1), chi2});
   const Eigen::Vector2d e(std::cos(0.4), std::sin(0.4));
   EXPECT_NEAR(s.inverseRange(e.x(), e.y()), u.dot(e), 1e-12);
@@ -99,11 +99,11 @@ TEST(LineSums, AreTheWeightedLeastSquaresOfTheExplicitSums)
 }
 
 // The covariance of (r0, phi0) is that of u through the derivative of (1/|u|, atan2(u)).
-TEST(LineSums, TheLineCarriesThePropagatedCovariance)
+TEST(LineInformation, TheLineCarriesThePropagatedCovariance)
 {
   test::RandomNumbers random(14);
   SCOPED_TRACE(random.seedText());
-  const LineSums::Solution s = solutionOf(sumsOf(noisyRays(random, 15)));
+  const LineInformation::Solution s = solutionOf(sumsOf(noisyRays(random, 15)));
   constexpr double h = 1e-6, kVariance_m2 = 1e-4;
   const auto lineAt = [&](double du0, double du1) -> Eigen::Vector2d
   {
@@ -117,12 +117,12 @@ TEST(LineSums, TheLineCarriesThePropagatedCovariance)
   EXPECT_LT((s.line(kVariance_m2).covariance - expected).norm(), 1e-6 * expected.norm());
 }
 
-TEST(LineSums, ARemovedRayWasNeverThere)
+TEST(LineInformation, ARemovedRayWasNeverThere)
 {
   test::RandomNumbers random(12);
   SCOPED_TRACE(random.seedText());
   const std::vector<MeasuredRay> rays = noisyRays(random, 12);
-  LineSums sums = sumsOf(rays);
+  LineInformation sums = sumsOf(rays);
   const MeasuredRay outlier = rayOf(0.5, 9);
   sums.add(outlier);
   sums.remove(outlier);
@@ -130,23 +130,23 @@ TEST(LineSums, ARemovedRayWasNeverThere)
   expectSame(solutionOf(sums), solutionOf(sumsOf(rays)));
 }
 
-TEST(LineSums, SumsOfTwoPiecesAreTheSumsOfTheWhole)
+TEST(LineInformation, SumsOfTwoPiecesAreTheSumsOfTheWhole)
 {
   test::RandomNumbers random(13);
   SCOPED_TRACE(random.seedText());
   const std::vector<MeasuredRay> rays = noisyRays(random, 16);
   const std::vector<MeasuredRay> left(rays.begin(), rays.begin() + 7);
   const std::vector<MeasuredRay> right(rays.begin() + 7, rays.end());
-  LineSums joined = sumsOf(left);
+  LineInformation joined = sumsOf(left);
   joined += sumsOf(right);
   EXPECT_EQ(joined.rays(), 16);
   expectSame(solutionOf(joined), solutionOf(sumsOf(rays)));
 }
 
-TEST(LineSums, FewerThanTwoDirectionsFixNoLine)
+TEST(LineInformation, FewerThanTwoDirectionsFixNoLine)
 {
-  LineSums sums;
-  LineSums::Solution s{};
+  LineInformation sums;
+  LineInformation::Solution s{};
   EXPECT_FALSE(sums.solve(s));
   sums.add(rayOf(0.3, 2));
   EXPECT_FALSE(sums.solve(s));

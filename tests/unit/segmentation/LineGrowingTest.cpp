@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/segmentation/LineRuns.h>
+#include <psmks/segmentation/CollinearityStatistic.h>
+#include <psmks/segmentation/LineGrowing.h>
 #include <psmks/segmentation/Preprocessing.h>
-#include <psmks/segmentation/ThreeRayTest.h>
 #include <tests/support/Scenes.h>
 
 namespace psmks
@@ -22,7 +22,7 @@ struct Workbench
     rays.computeMoments();
   }
 
-  LineRuns lines() { return {options, rays, storage}; }
+  LineGrowing lines() { return {options, rays, storage}; }
 
   int markOf(int ray) const
   {
@@ -31,7 +31,7 @@ struct Workbench
   }
 
   SegmentationOptions options;
-  RayColumns rays;
+  RaySoA rays;
   std::vector<LineRun> storage;
 };
 
@@ -47,10 +47,10 @@ void hide(Scan& scan, int first, int count, double range_m)
 }
 }  // namespace
 
-TEST(LineRuns, AWallGrowsFromEndToEnd)
+TEST(LineGrowing, AWallGrowsFromEndToEnd)
 {
   Workbench bench(wallAhead());
-  LineRuns lines = bench.lines();
+  LineGrowing lines = bench.lines();
   lines.grow();
   ASSERT_EQ(lines.runs().size(), 1u);
   EXPECT_EQ(lines.runs()[0].first, 0);
@@ -59,12 +59,12 @@ TEST(LineRuns, AWallGrowsFromEndToEnd)
 }
 
 //   ....x.....   one outlier is passed over          ....xx....   two end the line
-TEST(LineRuns, TwoConsecutiveOutliersEndALine)
+TEST(LineGrowing, TwoConsecutiveOutliersEndALine)
 {
   Scan one = wallAhead();
   hide(one, 40, 1, 1.0);
   Workbench survived(one);
-  LineRuns oneLine = survived.lines();
+  LineGrowing oneLine = survived.lines();
   oneLine.grow();
   ASSERT_EQ(oneLine.runs().size(), 1u);
   EXPECT_EQ(oneLine.runs()[0].sums.rays(), 80);
@@ -73,7 +73,7 @@ TEST(LineRuns, TwoConsecutiveOutliersEndALine)
   Scan two = wallAhead();
   hide(two, 40, 2, 1.0);
   Workbench ended(two);
-  LineRuns twoLines = ended.lines();
+  LineGrowing twoLines = ended.lines();
   twoLines.grow();
   ASSERT_EQ(twoLines.runs().size(), 2u);
   EXPECT_EQ(twoLines.runs()[0].last, 39);
@@ -81,13 +81,13 @@ TEST(LineRuns, TwoConsecutiveOutliersEndALine)
 }
 
 //   ....x.x....    the line ends before the first: the ray between the two is not its own
-TEST(LineRuns, ASecondOutlierSoonAfterTheFirstEndsTheLineBeforeTheFirst)
+TEST(LineGrowing, ASecondOutlierSoonAfterTheFirstEndsTheLineBeforeTheFirst)
 {
   Scan raw = wallAhead();
   hide(raw, 40, 1, 1.0);
   hide(raw, 42, 1, 1.0);
   Workbench bench(raw);
-  LineRuns lines = bench.lines();
+  LineGrowing lines = bench.lines();
   lines.grow();
   ASSERT_EQ(lines.runs().size(), 2u);
   EXPECT_EQ(lines.runs()[0].last, 39);
@@ -95,26 +95,26 @@ TEST(LineRuns, ASecondOutlierSoonAfterTheFirstEndsTheLineBeforeTheFirst)
   EXPECT_NE(bench.markOf(41), 0);
 }
 
-TEST(LineRuns, ALineIsContinuedOverAHoleOfThreeRays)
+TEST(LineGrowing, ALineIsContinuedOverAHoleOfThreeRays)
 {
   for (const int missing : {1, 3, 4})
   {
     Scan raw = wallAhead();
     hide(raw, 40, missing, 0.0);
     Workbench bench(raw);
-    LineRuns lines = bench.lines();
+    LineGrowing lines = bench.lines();
     lines.grow();
     EXPECT_EQ(lines.runs().size(), missing <= 3 ? 1u : 2u) << missing << " missing rays";
   }
 }
 
 // What a hidden piece of wall has torn apart is one line again; what is 5 cm apart is not.
-TEST(LineRuns, TouchingRunsMergeWhereOneLineExplainsBoth)
+TEST(LineGrowing, TouchingRunsMergeWhereOneLineExplainsBoth)
 {
   Scan raw = wallAhead();
   hide(raw, 40, 2, 1.0);
   Workbench bench(raw);
-  LineRuns lines = bench.lines();
+  LineGrowing lines = bench.lines();
   lines.grow();
   lines.mergeCollinear();
   ASSERT_EQ(lines.runs().size(), 1u);
@@ -123,7 +123,7 @@ TEST(LineRuns, TouchingRunsMergeWhereOneLineExplainsBoth)
 
   const std::vector<Wall> step = {{{2, -30}, {2, 0.01}}, {{2.05, 0.01}, {2.05, 30}}};
   Workbench stepped(castScan(step, {}, BeamGrid::centered(degToRad(80), 81)));
-  LineRuns panels = stepped.lines();
+  LineGrowing panels = stepped.lines();
   panels.grow();
   panels.mergeCollinear();
   ASSERT_EQ(panels.runs().size(), 2u);
@@ -134,7 +134,7 @@ TEST(LineRuns, TouchingRunsMergeWhereOneLineExplainsBoth)
 //          /     the line that grows first runs on past the blunt corner, as far as the gate
 //     o   |      lets it; the contest gives the rays back
 //         |
-TEST(LineRuns, TheContestPutsTheCornerWhereChi2IsSmallest)
+TEST(LineGrowing, TheContestPutsTheCornerWhereChi2IsSmallest)
 {
   const std::vector<Wall> corner = {{{2, -30}, {2, 0.01}}, {{2, 0.01}, {1, 4}}};
   const BeamGrid grid = BeamGrid::centered(degToRad(100), 201);
@@ -144,7 +144,7 @@ TEST(LineRuns, TheContestPutsTheCornerWhereChi2IsSmallest)
   {
     std::mt19937 rng(seed);
     Workbench bench(castScan(corner, {}, grid, 30, 0.005, rng), 0.005);
-    LineRuns lines = bench.lines();
+    LineGrowing lines = bench.lines();
     const auto wrong = [&]
     {
       int count = 0;
@@ -167,13 +167,13 @@ TEST(LineRuns, TheContestPutsTheCornerWhereChi2IsSmallest)
 
 //   -------
 //          -------     8 mm apart with a noise of 5 mm: no single ray shows the step
-TEST(LineRuns, ACutFindsTheStepThatNoRayShows)
+TEST(LineGrowing, ACutFindsTheStepThatNoRayShows)
 {
   const std::vector<Wall> step = {{{2, -30}, {2, 0.01}}, {{2.008, 0.01}, {2.008, 30}}};
   const BeamGrid grid = BeamGrid::centered(degToRad(60), 241);
   std::mt19937 rng(1);
   Workbench bench(castScan(step, {}, grid, 30, 0.005, rng), 0.005);
-  LineRuns lines = bench.lines();
+  LineGrowing lines = bench.lines();
   LineRun run{0, 240, {}}, left, right;
   for (int ray = 0; ray < 241; ++ray)
   {
@@ -186,7 +186,7 @@ TEST(LineRuns, ACutFindsTheStepThatNoRayShows)
   EXPECT_EQ(left.sums.rays() + right.sums.rays(), 241);
 }
 
-TEST(LineRuns, AStraightWallIsNotCut)
+TEST(LineGrowing, AStraightWallIsNotCut)
 {
   for (unsigned seed = 1; seed <= 20; ++seed)
   {
@@ -194,7 +194,7 @@ TEST(LineRuns, AStraightWallIsNotCut)
     const Scan raw =
         castScan({{{2, -30}, {2, 30}}}, {}, BeamGrid::centered(degToRad(80), 81), 30, 0.01, rng);
     Workbench bench(raw);
-    LineRuns lines = bench.lines();
+    LineGrowing lines = bench.lines();
     lines.grow();
     ASSERT_EQ(lines.runs().size(), 1u) << "seed " << seed;
     LineRun left, right;
@@ -203,10 +203,10 @@ TEST(LineRuns, AStraightWallIsNotCut)
 }
 
 // On a closed scan positions start at a break, so a wall across the seam is one run.
-TEST(LineRuns, PositionsOfAClosedScanStartAtABreak)
+TEST(LineGrowing, PositionsOfAClosedScanStartAtABreak)
 {
   Workbench bench(castScan(squareRoom(), {0.3, 0.2, 0}, BeamGrid::centered(2 * kPi, 360)));
-  LineRuns lines = bench.lines();
+  LineGrowing lines = bench.lines();
   lines.grow();
   EXPECT_EQ(lines.runs().size(), 4u);
   EXPECT_NE(bench.rays.ray(0), 0);

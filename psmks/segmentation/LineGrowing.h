@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/segmentation/RayColumns.h>
+#include <psmks/segmentation/RaySoA.h>
 #include <psmks/segmentation/SegmentationOptions.h>
 
 #include <vector>
@@ -11,20 +11,20 @@ namespace psmks
 /** A line in the making: a run of rays, most of which belong to it. */
 struct LineRun
 {
-  int first = 0, last = 0;  //!< positions, see LineRuns
-  LineSums sums;            //!< of the rays that belong to it
+  int first = 0, last = 0;  //!< positions, see LineGrowing
+  LineInformation sums;     //!< of the rays that belong to it
 };
 
 /** The lines of a scan while they are made: grown, contested and merged.
  *
- * Rays are counted by position, see RayColumns. A ray that belongs to run k carries the mark k;
+ * Rays are counted by position, see RaySoA. A ray that belongs to run k carries the mark k;
  * runs stand in the order of their positions and do not overlap. */
-class LineRuns
+class LineGrowing
 {
  public:
   /** @param rays of a cleaned scan, with their moments and no mark; marked here
    *  @param runs storage; what it held is replaced */
-  LineRuns(const SegmentationOptions& options, RayColumns& rays, std::vector<LineRun>& runs);
+  LineGrowing(const SegmentationOptions& options, RaySoA& rays, std::vector<LineRun>& runs);
 
   /** Lines grown from seeds by the filter the options choose (paper, section 2: Kalman
    *  Segmentation). */
@@ -54,13 +54,13 @@ class LineRuns
   bool takeBlock(Filter& filter, LineRun& run, int index, int from, int step, int limit);
   template <class Filter>
   void dropOutlyingStart(const Filter& grown, LineRun& run);
-  bool seedAt(int position, LineSums& sums) const;
+  bool seedAt(int position, LineInformation& sums) const;
 
   /** Where one line ends and the next begins. */
   struct Split
   {
     int at;  //!< first position of the right line
-    LineSums left, right;
+    LineInformation left, right;
     double chi2_m2;  //!< of both
   };
 
@@ -72,14 +72,14 @@ class LineRuns
 
   int& mark(int position) { return rays_.mark[static_cast<std::size_t>(position)]; }
   int mark(int position) const { return rays_.mark[static_cast<std::size_t>(position)]; }
-  const LineSums::Moments& moments(int position) const
+  const LineInformation::Moments& moments(int position) const
   {
     return rays_.moments[static_cast<std::size_t>(position)];
   }
-  double chi2(const LineSums& sums) const { return sums.chi2_m2() / variance_m2_; }
+  double chi2(const LineInformation& sums) const { return sums.chi2_m2() / variance_m2_; }
 
   const SegmentationOptions& options_;
-  RayColumns& rays_;
+  RaySoA& rays_;
   std::vector<LineRun>& runs_;
   double variance_m2_;
 };

@@ -29,7 +29,7 @@ struct MeasuredRay
  * a caller divides chi2 and covariances by the variance it holds true. Where the noise grows with
  * the range, moments are to be multiplied by RangeNoise::weightAt(); sigma is then that of short
  * ranges. */
-class LineSums
+class LineInformation
 {
  public:
   /** What one ray adds to M (three entries), v (two) and q. */
@@ -69,7 +69,7 @@ class LineSums
     rays_ += count;
   }
 
-  LineSums& operator+=(const LineSums& other)
+  LineInformation& operator+=(const LineInformation& other)
   {
     sums_ += other.sums_;
     rays_ += other.rays_;

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/segmentation/LineFilters.h>
-#include <psmks/segmentation/LineRuns.h>
+#include <psmks/segmentation/LineGrowing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,8 @@ constexpr int kLongestGap = 3;
 constexpr int kOutlierMemory = 2;
 }  // namespace
 
-LineRuns::LineRuns(const SegmentationOptions& options, RayColumns& rays, std::vector<LineRun>& runs)
+LineGrowing::LineGrowing(const SegmentationOptions& options, RaySoA& rays,
+                         std::vector<LineRun>& runs)
     : options_(options),
       rays_(rays),
       runs_(runs),
@@ -31,7 +32,7 @@ LineRuns::LineRuns(const SegmentationOptions& options, RayColumns& rays, std::ve
 
 // ---- growth ------------------------------------------------------------------------------------
 
-void LineRuns::grow()
+void LineGrowing::grow()
 {
   if (options_.filter == LineFilter::Linear)
     growAll(LinearLineFilter(rays_.noise));
@@ -40,12 +41,12 @@ void LineRuns::grow()
 }
 
 template <class Filter>
-void LineRuns::growAll(const Filter& fresh)
+void LineGrowing::growAll(const Filter& fresh)
 {
   int free = 0;  // first position after the last line
   for (int p = 0; p + options_.seedRays <= rays_.rays; ++p)
   {
-    LineSums seed;
+    LineInformation seed;
     Filter filter = fresh;
     if (!seedAt(p, seed) || !filter.start(seed)) continue;
     const int index = static_cast<int>(runs_.size());
@@ -62,7 +63,7 @@ void LineRuns::growAll(const Filter& fresh)
 
 /** A seed of few rays bends to an outlier at its first: seen from the grown line it stands out. */
 template <class Filter>
-void LineRuns::dropOutlyingStart(const Filter& grown, LineRun& run)
+void LineGrowing::dropOutlyingStart(const Filter& grown, LineRun& run)
 {
   if (run.sums.rays() <= options_.seedRays) return;
   if (grown.accepts(rays_.measured(run.first), options_.innovationGate)) return;
@@ -73,7 +74,7 @@ void LineRuns::dropOutlyingStart(const Filter& grown, LineRun& run)
 }
 
 /** The sums of the seed at a position, if all of its rays are valid and on one line. */
-bool LineRuns::seedAt(int position, LineSums& sums) const
+bool LineGrowing::seedAt(int position, LineInformation& sums) const
 {
   for (int p = position; p < position + options_.seedRays; ++p)
   {
@@ -89,21 +90,21 @@ bool LineRuns::seedAt(int position, LineSums& sums) const
  *  outlier is passed over; a second one soon after ends the line before the first.
  *  @return the last position of the line on this side */
 template <class Filter>
-int LineRuns::growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit)
+int LineGrowing::growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit)
 {
   int last = from, hole = 0, sinceOutlier = kOutlierMemory;
   int lastBeforeOutlier = from;
-  LineSums sumsBeforeOutlier = run.sums;
+  LineInformation sumsBeforeOutlier = run.sums;
   Filter filterBeforeOutlier = filter;
-  int sinceRefusal = RayColumns::kBlock;  // rays that went singly since a block was refused
+  int sinceRefusal = RaySoA::kBlock;  // rays that went singly since a block was refused
   for (int p = from + step; p != limit + step && hole <= kLongestHole; p += step)
   {
-    if (sinceRefusal >= RayColumns::kBlock)
+    if (sinceRefusal >= RaySoA::kBlock)
     {
       if (takeBlock(filter, run, index, p, step, limit))
       {
-        last = p += step * (RayColumns::kBlock - 1);
-        sinceOutlier += RayColumns::kBlock;
+        last = p += step * (RaySoA::kBlock - 1);
+        sinceOutlier += RaySoA::kBlock;
         hole = 0;
         continue;
       }
@@ -143,24 +144,24 @@ int LineRuns::growSide(Filter& filter, LineRun& run, int index, int from, int st
 
 /** Grows a line by the block of rays that comes next, if it accepts all of them. */
 template <class Filter>
-bool LineRuns::takeBlock(Filter& filter, LineRun& run, int index, int from, int step, int limit)
+bool LineGrowing::takeBlock(Filter& filter, LineRun& run, int index, int from, int step, int limit)
 {
   if constexpr (std::is_same_v<Filter, LinearLineFilter>)
   {
-    constexpr int kOthers = RayColumns::kBlock - 1;
+    constexpr int kOthers = RaySoA::kBlock - 1;
     if (!filter.takesBlocks(run.sums) || (limit - from) * step < kOthers) return false;
     const int first = std::min(from, from + step * kOthers);
     if (!filter.acceptsBlock(rays_, first, options_.innovationGate)) return false;
-    run.sums.addMoments(&moments(first), RayColumns::kBlock);
+    run.sums.addMoments(&moments(first), RaySoA::kBlock);
     filter.update(run.sums);
-    std::fill_n(&mark(first), RayColumns::kBlock, index);
+    std::fill_n(&mark(first), RaySoA::kBlock, index);
     return true;
   }
   return false;
 }
 
 /** Changes the mark of the rays between two positions (both included) that carry `from`. */
-void LineRuns::reassign(int firstPosition, int lastPosition, int from, int to)
+void LineGrowing::reassign(int firstPosition, int lastPosition, int from, int to)
 {
   for (int p = firstPosition; p <= lastPosition; ++p)
     if (mark(p) == from) mark(p) = to;
@@ -168,7 +169,7 @@ void LineRuns::reassign(int firstPosition, int lastPosition, int from, int to)
 
 // ---- corners and merging -----------------------------------------------------------------------
 
-void LineRuns::contestCorners()
+void LineGrowing::contestCorners()
 {
   for (std::size_t right = 1; right < runs_.size(); ++right)
     if (runs_[right].first - runs_[right - 1].last <= kLongestGap + 1)
@@ -183,7 +184,7 @@ void LineRuns::contestCorners()
  *
  * From the split that growth has left, others are tried to both sides, until chi2 has not fallen
  * for some rays. */
-void LineRuns::contest(int leftIndex, int rightIndex)
+void LineGrowing::contest(int leftIndex, int rightIndex)
 {
   LineRun& left = runs_[static_cast<std::size_t>(leftIndex)];
   LineRun& right = runs_[static_cast<std::size_t>(rightIndex)];
@@ -208,11 +209,11 @@ void LineRuns::contest(int leftIndex, int rightIndex)
  *  @param step +1: rays of the right line go to the left one, up to `limit` exclusive; -1: the
  * other way, down to `limit` inclusive
  *  @param from the mark of the rays that are given away */
-void LineRuns::moveSplit(Split split, int step, int limit, int from, Split& best) const
+void LineGrowing::moveSplit(Split split, int step, int limit, int from, Split& best) const
 {
   constexpr int kPatience = 3;
-  LineSums& giving = step > 0 ? split.right : split.left;
-  LineSums& taking = step > 0 ? split.left : split.right;
+  LineInformation& giving = step > 0 ? split.right : split.left;
+  LineInformation& taking = step > 0 ? split.left : split.right;
   for (int sinceBest = 0; split.at != limit && sinceBest < kPatience;)
   {
     const int p = step > 0 ? split.at : split.at - 1;
@@ -230,8 +231,8 @@ void LineRuns::moveSplit(Split split, int step, int limit, int from, Split& best
 }
 
 /** After a contest: the ends of both lines are their outermost rays in the contested stretch. */
-void LineRuns::settleEnds(LineRun& left, LineRun& right, int leftIndex, int rightIndex, int begin,
-                          int end)
+void LineGrowing::settleEnds(LineRun& left, LineRun& right, int leftIndex, int rightIndex,
+                             int begin, int end)
 {
   left.last = std::max(left.first, begin - 1);
   right.first = std::min(right.last, end);
@@ -241,17 +242,17 @@ void LineRuns::settleEnds(LineRun& left, LineRun& right, int leftIndex, int righ
     if (mark(p) == rightIndex) right.first = p;
 }
 
-bool LineRuns::collinear(const LineRun& left, const LineRun& right) const
+bool LineGrowing::collinear(const LineRun& left, const LineRun& right) const
 {
   if (right.first - left.last > kLongestGap + 1) return false;
-  LineSums joint = left.sums;
+  LineInformation joint = left.sums;
   joint += right.sums;
   return chi2(joint) - chi2(left.sums) - chi2(right.sums) < options_.mergeChi2;
 }
 
-bool LineRuns::cut(const LineRun& run, int runMark, LineRun& left, LineRun& right) const
+bool LineGrowing::cut(const LineRun& run, int runMark, LineRun& left, LineRun& right) const
 {
-  LineSums l, r = run.sums;
+  LineInformation l, r = run.sums;
   double best = chi2(run.sums) - options_.mergeChi2 - 2 * std::log(std::max(1, run.sums.rays()));
   bool found = false;
   for (int p = run.first; p < run.last && r.rays() > options_.seedRays; ++p)
@@ -270,7 +271,7 @@ bool LineRuns::cut(const LineRun& run, int runMark, LineRun& left, LineRun& righ
   return found;
 }
 
-void LineRuns::mergeCollinear()
+void LineGrowing::mergeCollinear()
 {
   std::size_t kept = 0;
   for (std::size_t next = 1; next < runs_.size(); ++next)

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
+#include <psmks/segmentation/CollinearityStatistic.h>
 #include <psmks/segmentation/Preprocessing.h>
-#include <psmks/segmentation/ThreeRayTest.h>
 #include <tests/support/Scenes.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Prepared
     return estimateRangeSigma_m(rays, scratch);
   }
 
-  RayColumns rays;
+  RaySoA rays;
 };
 
 //      o
@@ -36,16 +36,16 @@ struct Prepared
 const std::vector<Wall> kSlantedWall = {{{3, -6}, {0.5, 6}}};
 }  // namespace
 
-TEST(ThreeRayTest, IsZeroOnAnExactLineWhateverTheLine)
+TEST(CollinearityStatistic, IsZeroOnAnExactLineWhateverTheLine)
 {
   const Prepared p(castScan(kSlantedWall, {}, BeamGrid::centered(kPi, 181)));
-  std::vector<double> tests_m2;
-  threeRayTests(p.rays, tests_m2);
-  ASSERT_GT(tests_m2.size(), 100u);
-  for (const double test_m2 : tests_m2) EXPECT_LT(test_m2, 1e-24);
+  std::vector<double> statistics_m2;
+  collinearityStatistics(p.rays, statistics_m2);
+  ASSERT_GT(statistics_m2.size(), 100u);
+  for (const double test_m2 : statistics_m2) EXPECT_LT(test_m2, 1e-24);
 }
 
-TEST(ThreeRayTest, IsTheRangeErrorInUnitsOfItsOwnPropagation)
+TEST(CollinearityStatistic, IsTheRangeErrorInUnitsOfItsOwnPropagation)
 {
   // On a circle of radius 2 m all ranges are alike, and one raised by e changes its own test by
   // 2 cos(d) e / r^2, whose standard deviation is sqrt(1 + 4 cos(d)^2 + 1) sigma / r^2.
@@ -57,23 +57,23 @@ TEST(ThreeRayTest, IsTheRangeErrorInUnitsOfItsOwnPropagation)
   scan.range_m[2] += e_m;
   Prepared raised(scan);
   std::vector<double> before_m2, after_m2;
-  threeRayTests(plain.rays, before_m2);
-  threeRayTests(raised.rays, after_m2);
+  collinearityStatistics(plain.rays, before_m2);
+  collinearityStatistics(raised.rays, after_m2);
   const double change_m = std::sqrt(after_m2[1]) - std::sqrt(before_m2[1]);
   EXPECT_NEAR(change_m, 2 * cosine * e_m / std::sqrt(2 + 4 * cosine * cosine), 1e-3 * e_m);
 }
 
-TEST(ThreeRayTest, RaysBesideAnInvalidOneAreNotTested)
+TEST(CollinearityStatistic, RaysBesideAnInvalidOneAreNotTested)
 {
   Scan scan = castScan(kSlantedWall, {}, BeamGrid::centered(kPi / 3, 11));
   scan.range_m[5] = 0;
   const Prepared p(scan);
-  std::vector<double> tests_m2;
-  threeRayTests(p.rays, tests_m2);
-  EXPECT_EQ(tests_m2.size(), 9u - 3u);
+  std::vector<double> statistics_m2;
+  collinearityStatistics(p.rays, statistics_m2);
+  EXPECT_EQ(statistics_m2.size(), 9u - 3u);
 }
 
-TEST(ThreeRayTest, TheNoiseOfAClutteredRoomIsSeenWithin15Percent)
+TEST(CollinearityStatistic, TheNoiseOfAClutteredRoomIsSeenWithin15Percent)
 {
   const BeamGrid grid = BeamGrid::centered(kPi, 721);
   constexpr unsigned kRooms = 10;
@@ -95,7 +95,7 @@ TEST(ThreeRayTest, TheNoiseOfAClutteredRoomIsSeenWithin15Percent)
 //   -   -   -   -   -     a fence 3 m ahead, its planks and gaps three rays wide
 //  ___________________    the wall behind it: of three tests in a row two reach across an edge
 //
-TEST(ThreeRayTest, TheNoiseIsSeenThroughAFenceOfEdges)
+TEST(CollinearityStatistic, TheNoiseIsSeenThroughAFenceOfEdges)
 {
   constexpr unsigned kScans = 10;
   constexpr int kRaysOfPlank = 3;
@@ -114,18 +114,18 @@ TEST(ThreeRayTest, TheNoiseIsSeenThroughAFenceOfEdges)
       scan.range_m.push_back(met.rangeAt_m(grid.bearing_rad(ray)) + noise_m(rng));
     }
     Prepared p(scan);
-    std::vector<double> tests_m2;
-    threeRayTests(p.rays, tests_m2);
-    const auto onEdges = std::count_if(tests_m2.begin(), tests_m2.end(),
+    std::vector<double> statistics_m2;
+    collinearityStatistics(p.rays, statistics_m2);
+    const auto onEdges = std::count_if(statistics_m2.begin(), statistics_m2.end(),
                                        [](double test_m2) { return test_m2 > 0.1 * 0.1; });
-    ASSERT_GT(onEdges, 0.6 * static_cast<double>(tests_m2.size()));
+    ASSERT_GT(onEdges, 0.6 * static_cast<double>(statistics_m2.size()));
     mean_m += p.estimatedSigma_m() / kScans;
   }
   EXPECT_NEAR(mean_m, 0.01, 0.001);
 }
 
 // Of the scan's noise the share is found by which it exceeds the stated one, near as far.
-TEST(ThreeRayTest, NoiseThatGrowsIsMeasuredByItsOwnLaw)
+TEST(CollinearityStatistic, NoiseThatGrowsIsMeasuredByItsOwnLaw)
 {
   const RangeNoise stated{0.005, 0.01}, real = stated.scaledTo(0.01);
   double mean_m = 0;
@@ -142,7 +142,7 @@ TEST(ThreeRayTest, NoiseThatGrowsIsMeasuredByItsOwnLaw)
 }
 
 // The count never misses what the median would tell.
-TEST(ThreeRayTest, TheCountForeseesTheMedian)
+TEST(CollinearityStatistic, TheCountForeseesTheMedian)
 {
   const BeamGrid grid = BeamGrid::centered(kPi, 361);
   for (const double sigma_m : {0.005, 0.01, 0.02, 0.04})
@@ -155,7 +155,7 @@ TEST(ThreeRayTest, TheCountForeseesTheMedian)
     }
 }
 
-TEST(ThreeRayTest, FewRaysShowNoNoise)
+TEST(CollinearityStatistic, FewRaysShowNoNoise)
 {
   std::mt19937 rng(1);
   Prepared p(castScan(kSlantedWall, {}, BeamGrid::centered(kPi / 4, 21), 30, 0.01, rng));
@@ -163,7 +163,7 @@ TEST(ThreeRayTest, FewRaysShowNoNoise)
 }
 
 // A closed scan in the middle of a square room: the sharpest breaks are its corners.
-TEST(ThreeRayTest, TheStrongestBreakOfARoomIsACorner)
+TEST(CollinearityStatistic, TheStrongestBreakOfARoomIsACorner)
 {
   const BeamGrid grid = BeamGrid::centered(2 * kPi, 360);
   const Prepared p(castScan(squareRoom(), {}, grid));
@@ -171,7 +171,7 @@ TEST(ThreeRayTest, TheStrongestBreakOfARoomIsACorner)
   EXPECT_NEAR(std::abs(std::remainder(bearing_deg - 45, 90)), 0, 1e-6);
 }
 
-TEST(ThreeRayTest, ARayAfterAnInvalidOneIsABreak)
+TEST(CollinearityStatistic, ARayAfterAnInvalidOneIsABreak)
 {
   Scan scan = castScan(squareRoom(), {}, BeamGrid::centered(2 * kPi, 360));
   scan.range_m[99] = 0;

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/segmentation/LineSums.h>
+#include <psmks/segmentation/LineInformation.h>
 #include <psmks/segmentation/SegmentedScan.h>
 
 #include <vector>
@@ -14,17 +14,17 @@ namespace psmks
  * Position 0 is the first ray of an open scan, and the ray at the strongest break of a closed one,
  * so that no wall is cut by the seam. Every column is longer than there are rays by a block of
  * places that hold no valid ray, so that loops may go in whole blocks. */
-struct RayColumns
+struct RaySoA
 {
   static constexpr int kBlock = 4;
   using Block = Eigen::Array<double, kBlock, 1>;
   using BlockView = Eigen::Map<const Block>;
 
-  std::vector<double> cosine, sine;        //!< of the bearing
-  std::vector<double> range_m;             //!< 0 where invalid
-  std::vector<double> inverseRange_1_m;    //!< 0 where invalid
-  std::vector<LineSums::Moments> moments;  //!< of the valid rays, weighed by their noise
-  std::vector<int> mark;                   //!< the line a ray belongs to, or kNoSegment
+  std::vector<double> cosine, sine;               //!< of the bearing
+  std::vector<double> range_m;                    //!< 0 where invalid
+  std::vector<double> inverseRange_1_m;           //!< 0 where invalid
+  std::vector<LineInformation::Moments> moments;  //!< of the valid rays, weighed by their noise
+  std::vector<int> mark;                          //!< the line a ray belongs to, or kNoSegment
   int rays = 0;
   int start = 0;     //!< ray index of position 0
   RangeNoise noise;  //!< of the ranges
