@@ -44,12 +44,12 @@ class PointBlock
     }
   }
 
-  void find(const PolarSurface& surface)
+  void find(const PolarLookup& surface)
   {
     for (std::size_t i = 0; i < kCapacity; ++i) cell_[i] = surface.cellOf(x_[i], y_[i]);
   }
 
-  void count(const PolarSurface& surface, float tolerance_m, RayCounts& counts) const
+  void count(const PolarLookup& surface, float tolerance_m, RayCounts& counts) const
   {
     RayCounts n;
     for (std::size_t i = 0; i < size_; ++i)
@@ -60,7 +60,7 @@ class PointBlock
         ++n.unknown;
         continue;
       }
-      const PolarSurface::Side* sides = surface.sides(k);
+      const PolarLookup::Side* sides = surface.sides(k);
       const float a_m = sides[0].distance_m(x_[i], y_[i]), b_m = sides[1].distance_m(x_[i], y_[i]);
       if (std::min(std::fabs(a_m), std::fabs(b_m)) < tolerance_m)
         ++n.on;
@@ -81,7 +81,7 @@ class PointBlock
 };
 }  // namespace
 
-RayCounts countRays(const RayPoints& points, const PolarSurface& surface,
+RayCounts countRays(const RayPoints& points, const PolarLookup& surface,
                     const Pose2& T_surface_points, float tolerance_m, int stride)
 {
   RayCounts counts;

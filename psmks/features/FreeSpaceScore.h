@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/features/PolarSurface.h>
+#include <psmks/features/PolarLookup.h>
 #include <psmks/features/RayPoints.h>
 #include <psmks/geometry/Pose2.h>
 
@@ -30,7 +30,7 @@ struct RayCounts
 /** Counts every `stride`-th point of a scan, moved by T_surface_points, against the surfaces of
  * another.
  *  @param tolerance_m distance within which a point is on a surface */
-RayCounts countRays(const RayPoints& points, const PolarSurface& surface,
+RayCounts countRays(const RayPoints& points, const PolarLookup& surface,
                     const Pose2& T_surface_points, float tolerance_m, int stride = 1);
 
 /** Share of rays explained, 0 to 1:

@@ -12,7 +12,7 @@ namespace psmks
 struct RayPoints
 {
   std::vector<float> x_m, y_m;
-  std::vector<std::uint8_t> movable;  //!< of each point, see FreeStanding.h
+  std::vector<std::uint8_t> movable;  //!< of each point, see MovableObjects.h
 
   /** @param movableRays one flag per ray; empty = none */
   void build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays = {});

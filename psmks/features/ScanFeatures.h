@@ -2,7 +2,7 @@
 #pragma once
 
 #include <psmks/features/Circles.h>
-#include <psmks/features/PolarSurface.h>
+#include <psmks/features/PolarLookup.h>
 #include <psmks/features/RayPoints.h>
 #include <psmks/geometry/AnchoredLine.h>
 #include <psmks/segmentation/SegmentedScan.h>
@@ -16,21 +16,21 @@ namespace psmks
 struct ScanFeatures
 {
   const SegmentedScan* scan = nullptr;
-  PolarSurface surface;
+  PolarLookup surface;
   RayPoints points;
 
-  std::vector<Segment> straights;     //!< the segments, in their order, then the short lines
+  std::vector<Segment> lineFeatures;  //!< the segments, in their order, then the short lines
   std::vector<AnchoredLine> lines;    //!< one per straight, in their order, then the patches
   std::vector<int> lineOfRay;         //!< index into lines, or -1
-  std::vector<std::uint8_t> movable;  //!< one flag per ray, see FreeStanding.h
+  std::vector<std::uint8_t> movable;  //!< one flag per ray, see MovableObjects.h
   std::vector<Circle> circles;
-  std::vector<int> circleOfRay;  //!< index into circles, or -1
-  std::vector<int> singles;      //!< valid rays without a segment
+  std::vector<int> circleOfRay;      //!< index into circles, or -1
+  std::vector<int> unsegmentedRays;  //!< valid rays without a segment
 
   /** Keeps a pointer to the scan. */
   void build(const SegmentedScan& segmented);
 
  private:
-  void findSingles();
+  void findUnsegmentedRays();
 };
 }  // namespace psmks

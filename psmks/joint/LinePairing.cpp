@@ -47,24 +47,24 @@ class Pairing
 
   int run()
   {
-    for (std::size_t c = 0; c < straights(cur_); ++c)
-      if (!isRound(cur_, cur_.straights[c])) pairStraight(c);
+    for (std::size_t c = 0; c < lineFeatures(cur_); ++c)
+      if (!isRound(cur_, cur_.lineFeatures[c])) pairLineFeature(c);
     if (gates_.fine)
     {
       circles_ = pairCircles(ref_.circles, cur_.circles, T_ref_cur_, gates_.distance_m,
                              problem_.circlePairs);
       associations_ += circles_.rays;
     }
-    pairSingles(cur_, ref_, T_ref_cur_, true);
-    pairSingles(ref_, cur_, T_ref_cur_.inverse(), false);
+    pairUnsegmentedRays(cur_, ref_, T_ref_cur_, true);
+    pairUnsegmentedRays(ref_, cur_, T_ref_cur_.inverse(), false);
     return associations_;
   }
 
  private:
   /** How many of a scan's straight lines are to be paired. */
-  std::size_t straights(const ScanFeatures& view) const
+  std::size_t lineFeatures(const ScanFeatures& view) const
   {
-    return gates_.fine ? view.straights.size() : view.scan->segments.size();
+    return gates_.fine ? view.lineFeatures.size() : view.scan->segments.size();
   }
 
   /** Whether a segment has turned out to be part of an arc and is left to the circles. */
@@ -79,9 +79,9 @@ class Pairing
         fastBearing_rad(static_cast<float>(p_ref_m.y()), static_cast<float>(p_ref_m.x())));
   }
 
-  void pairStraight(std::size_t c)
+  void pairLineFeature(std::size_t c)
   {
-    const Segment& segment = cur_.straights[c];
+    const Segment& segment = cur_.lineFeatures[c];
     const Eigen::Vector2d first_m = T_ref_cur_ * segment.firstEnd_m;
     const Eigen::Vector2d last_m = T_ref_cur_ * segment.lastEnd_m;
     const Eigen::Vector2d normal = R_ * cur_.lines[c].normal;
@@ -92,9 +92,9 @@ class Pairing
     if (last < first) last += ref_.scan->grid.closed() ? circle : 0;
     if (!(last > first)) return;
 
-    for (std::size_t r = 0; r < straights(ref_); ++r)
+    for (std::size_t r = 0; r < lineFeatures(ref_); ++r)
     {
-      const Segment& other = ref_.straights[r];
+      const Segment& other = ref_.lineFeatures[r];
       if (isRound(ref_, other)) continue;
       const double refFirst = other.firstRay;
       const double refLast = other.lastRay + (other.lastRay < other.firstRay ? circle : 0);
@@ -118,7 +118,7 @@ class Pairing
     const double sine = ref.normal.x() * normal.y() - ref.normal.y() * normal.x();
     if (ref.normal.dot(normal) <= 0 || std::abs(sine) > largestSine_) return;
     const double curDistance_m = normal.dot(pointOnCurrent_m);
-    const double refDistance_m = ref_.straights[r].line.r0_m;
+    const double refDistance_m = ref_.lineFeatures[r].line.r0_m;
     for (const double at : {shared.first, shared.last})
     {
       const int ray = static_cast<int>(at + 0.5) % ref_.scan->rays();
@@ -138,19 +138,20 @@ class Pairing
     const AnchoredLine& cur = cur_.lines[c];
     const Eigen::Vector2d anchor_ref_m = T_ref_cur_ * cur.anchor_m;
     const double along_m = ref.along.dot(anchor_ref_m - ref.anchor_m);
-    const double angle_rad = cur_.straights[c].line.phi0_rad - ref_.straights[r].line.phi0_rad;
+    const double angle_rad =
+        cur_.lineFeatures[c].line.phi0_rad - ref_.lineFeatures[r].line.phi0_rad;
     const Eigen::Matrix2d covariance = pairCovariance(ref, cur, along_m);
     problem_.linePairs.push_back({ref.normal, ref.normal.dot(ref.anchor_m), cur.anchor_m,
                                   wrapAngle(angle_rad), covariance.inverse(), covariance(1, 1)});
   }
 
   /** Single rays of one scan against the lines of the other. */
-  void pairSingles(const ScanFeatures& from, const ScanFeatures& to, const Pose2& T_to_from,
-                   bool current)
+  void pairUnsegmentedRays(const ScanFeatures& from, const ScanFeatures& to, const Pose2& T_to_from,
+                           bool current)
   {
     const Eigen::Matrix2d R = T_to_from.rotation();
     const Eigen::Vector2d t = T_to_from.translation();
-    for (const int single : from.singles)
+    for (const int single : from.unsegmentedRays)
     {
       if (isTaken(from, current ? circles_.current : circles_.reference, single)) continue;
       const Eigen::Vector2d point_m = from.scan->point_m(single);
@@ -162,7 +163,7 @@ class Pairing
       const double cosine = l.normal.dot(R * from.scan->grid.direction(single));
       const double variance_m2 = from.scan->rangeVarianceOf_m2(single) * cosine * cosine +
                                  l.distanceVarianceAt_m2(p_m) +
-                                 gates_.singleRaySlack_m * gates_.singleRaySlack_m;
+                                 gates_.unsegmentedRaySlack_m * gates_.unsegmentedRaySlack_m;
       problem_.rays.push_back({current, point_m, l.normal, l.normal.dot(l.anchor_m),
                                gates_.singleRayWeight / variance_m2});
       ++associations_;
@@ -174,13 +175,13 @@ class Pairing
   {
     if (!gates_.fine) return false;
     const int circle = view.circleOfRay[static_cast<std::size_t>(ray)];
-    return isOnStraight(view, ray) || (circle >= 0 && paired[static_cast<std::size_t>(circle)]);
+    return isOnLineFeature(view, ray) || (circle >= 0 && paired[static_cast<std::size_t>(circle)]);
   }
 
-  static bool isOnStraight(const ScanFeatures& view, int ray)
+  static bool isOnLineFeature(const ScanFeatures& view, int ray)
   {
     const int line = view.lineOfRay[static_cast<std::size_t>(ray)];
-    return line >= 0 && line < static_cast<int>(view.straights.size());
+    return line >= 0 && line < static_cast<int>(view.lineFeatures.size());
   }
 
   /** Of the lines at the bearing of a point the nearer one within the gate, or -1. */
@@ -189,7 +190,7 @@ class Pairing
     const auto x = static_cast<float>(p_m.x()), y = static_cast<float>(p_m.y());
     const int k = view.surface.cellOf(x, y);
     if (k < 0) return -1;
-    const PolarSurface::Side* sides = view.surface.sides(k);
+    const PolarLookup::Side* sides = view.surface.sides(k);
     int nearest = -1;
     float best_m = static_cast<float>(gates_.distance_m);
     for (int side = 0; side < 2; ++side)

@@ -12,7 +12,7 @@ struct PairingGates
   double distance_m;
   double angle_rad;
   double singleRayWeight;
-  double singleRaySlack_m = 0;  //!< standard deviation added to the distances of single rays
+  double unsegmentedRaySlack_m = 0;  //!< standard deviation added to the distances of single rays
   bool fine = false;  //!< whether short lines and circles are paired, their rays then being none
 };
 

@@ -56,7 +56,7 @@ double PoseJudge::merit(const RefinedPose& pose) const
 bool PoseJudge::isHeldByLines(const RefinedPose& pose) const
 {
   constexpr double kFewestHeld = 0.5;
-  return pose.associations >= kFewestHeld * pose.raysOn;
+  return pose.associations >= kFewestHeld * pose.inlierRays;
 }
 
 bool PoseJudge::isPositionFixed(const RefinedPose& pose) const

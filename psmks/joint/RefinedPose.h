@@ -12,9 +12,9 @@ namespace psmks
 struct RefinedPose
 {
   Pose2 T_ref_cur;
-  double score = -1;     //!< free-space score, 0 to 1; -1 where too few rays were associated
-  int associations = 0;  //!< associated rays
-  double raysOn = 0;     //!< rays of a scan that lie on surfaces of the other, mean of both
+  double score = -1;      //!< free-space score, 0 to 1; -1 where too few rays were associated
+  int associations = 0;   //!< associated rays
+  double inlierRays = 0;  //!< rays of a scan that lie on surfaces of the other, mean of both
   bool converged = false;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  //!< of the scans alone
   Observability observability;

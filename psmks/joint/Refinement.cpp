@@ -69,7 +69,7 @@ Pose2 Refinement::associate(double share, bool last, RefinedPose& pose)
   constexpr double kSlack = 0.1;
   const JointOptions& options = match_.options;
   PairingGates gates{distanceGate_m(share), share * options.angleGate_rad, options.singleRayWeight};
-  gates.singleRaySlack_m = last ? 0 : kSlack * gates.distance_m;
+  gates.unsegmentedRaySlack_m = last ? 0 : kSlack * gates.distance_m;
   gates.fine = last;
   const Pose2 before = pose.T_ref_cur;
   JointBuffers& buffers = match_.buffers;
@@ -111,7 +111,7 @@ void Refinement::score(RefinedPose& pose) const
   const JointProblem& problem = match_.buffers.problem;
   const RayCounts counts = match_.scores.allCounts(pose.T_ref_cur);
   pose.score = freeSpaceScore(counts);
-  pose.raysOn = match_.scores.raysOn(counts);
+  pose.inlierRays = match_.scores.inlierRays(counts);
   pose.information = linearise(problem, pose.T_ref_cur, false).H;
   pose.observability = observability(pose.information);
   askBestKnownPair(pose);

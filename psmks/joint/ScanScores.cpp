@@ -47,7 +47,7 @@ RayCounts ScanScores::allCounts(const Pose2& T_ref_cur) const
   return counts;
 }
 
-double ScanScores::raysOn(const RayCounts& counts) const
+double ScanScores::inlierRays(const RayCounts& counts) const
 {
   const auto points = static_cast<double>(current_.points.size() + reference_.points.size());
   return 0.5 * points * counts.on / std::max(1, counts.counted());

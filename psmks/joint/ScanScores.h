@@ -27,7 +27,7 @@ class ScanScores
 
   /** Rays of a scan that lie on surfaces of the other, mean of both scans.
    *  @param counts of allCounts() */
-  double raysOn(const RayCounts& counts) const;
+  double inlierRays(const RayCounts& counts) const;
 
  private:
   const ScanFeatures& reference_;

@@ -147,7 +147,7 @@ TEST(LinePairing, SingleRaysPairInBothDirections)
 }
 
 //     O          a pillar before a wall: in the last association it is one pair, and its rays,
-//     singles
+//     unsegmentedRays
 //  -------       until then, take no further part
 TEST(LinePairing, CirclesTakeTheRaysOfThePillarsTheyStandFor)
 {
@@ -185,7 +185,7 @@ TEST(LinePairing, TheSlackOfAStartWidensSingleRays)
   JointProblem tight, slack;
   PairingGates gates = kGates;
   pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, tight);
-  gates.singleRaySlack_m = 0.02;
+  gates.unsegmentedRaySlack_m = 0.02;
   pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, slack);
   ASSERT_EQ(tight.rays.size(), 1u);
   ASSERT_EQ(slack.rays.size(), 1u);

@@ -17,7 +17,7 @@ MeasuredRay rayOf(double bearing_rad, double range_m)
 }
 
 /** Consecutive noisy rays, one degree apart, about the foot of a line. */
-std::vector<MeasuredRay> raysOn(const Line& line, int count, test::RandomNumbers& random)
+std::vector<MeasuredRay> inlierRays(const Line& line, int count, test::RandomNumbers& random)
 {
   std::vector<MeasuredRay> rays;
   for (int i = 0; i < count; ++i)
@@ -73,7 +73,7 @@ TEST(LinearLineFilter, PredictionIsConsistent)
     for (int wall = 0; wall < kWalls; ++wall)
     {
       const Line line{random.uniform(1, 5), random.uniform(-kPi, kPi), {}};
-      const std::vector<MeasuredRay> rays = raysOn(line, 6 + updates + 1, random);
+      const std::vector<MeasuredRay> rays = inlierRays(line, 6 + updates + 1, random);
       LinearLineFilter filter({kSigma_m});
       ASSERT_TRUE(runOn(filter, rays, 6, static_cast<std::size_t>(6 + updates)));
       withinOne += filter.accepts(rays.back(), 1);
@@ -89,7 +89,7 @@ TYPED_TEST(LineFilters, AcceptARayOnTheLineAndRefuseOneBesideIt)
   test::RandomNumbers random(22);
   SCOPED_TRACE(random.seedText());
   const Line line{2, 0.4, {}};
-  const std::vector<MeasuredRay> rays = raysOn(line, 30, random);
+  const std::vector<MeasuredRay> rays = inlierRays(line, 30, random);
   TypeParam filter({kSigma_m});
   ASSERT_TRUE(runOn(filter, rays, 6, rays.size()));
   const double next_rad = line.phi0_rad + degToRad(16), next_m = line.rangeAt_m(next_rad);
@@ -120,7 +120,7 @@ TYPED_TEST(LineFilters, RefuseARayThatRunsAwayFromTheLine)
   SCOPED_TRACE(random.seedText());
   const Line line{2, 0, {}};
   TypeParam filter({kSigma_m});
-  ASSERT_TRUE(startOn(filter, raysOn(line, 10, random), 10));
+  ASSERT_TRUE(startOn(filter, inlierRays(line, 10, random), 10));
   EXPECT_FALSE(filter.accepts(rayOf(degToRad(179), 2), 3.3));
   EXPECT_FALSE(filter.accepts(rayOf(degToRad(91), 1e4), 3.3));
 }

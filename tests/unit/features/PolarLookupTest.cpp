@@ -74,38 +74,38 @@ TEST_P(PolarSurfaceOnGrid, CellsAreThoseOfTheGrid)
 
 //    ---------------+ 3     both sides of a cell on a wall are that wall's line; the cell of the
 //          o        |       corner has one side of each
-TEST(PolarSurface, CellsHoldTheLinesOnBothSides)
+TEST(PolarLookup, CellsHoldTheLinesOnBothSides)
 {
   const BeamGrid grid = BeamGrid::centered(kPi, 182);
   const SegmentedScan scan = roomOn(grid);
   const ScanFeatures view = viewOf(scan);
-  const PolarSurface::Side* ahead = view.surface.sides(view.surface.cellOf(2, 0));
+  const PolarLookup::Side* ahead = view.surface.sides(view.surface.cellOf(2, 0));
   for (const int side : {0, 1})
   {
     EXPECT_NEAR(ahead[side].nx, 1, 1e-6);
     EXPECT_NEAR(ahead[side].d, 3, 1e-6);
     EXPECT_NEAR(ahead[side].distance_m(2, 0.5f), -1, 1e-6);
   }
-  const PolarSurface::Side* corner = view.surface.sides(view.surface.cellOf(1, 1));
+  const PolarLookup::Side* corner = view.surface.sides(view.surface.cellOf(1, 1));
   EXPECT_NEAR(corner[0].nx, 1, 1e-6);
   EXPECT_NEAR(corner[1].ny, 1, 1e-6);
   EXPECT_NE(corner[0].line, corner[1].line);
 }
 
-TEST(PolarSurface, ARayWithoutALineStandsForItsCircle)
+TEST(PolarLookup, ARayWithoutALineStandsForItsCircle)
 {
   SegmentedScan scan = roomOn(BeamGrid::centered(kPi, 181));
   scan.segmentOfRay[90] = SegmentedScan::kNoSegment;
   scan.range_m[90] = 2;
   const ScanFeatures view = viewOf(scan);
-  const PolarSurface::Side* sides = view.surface.sides(90);
+  const PolarLookup::Side* sides = view.surface.sides(90);
   EXPECT_EQ(sides[0].line, -1);
   EXPECT_NEAR(sides[0].d, 2, 1e-6);
   EXPECT_NEAR(sides[0].nx, 1, 1e-6);
   EXPECT_NEAR(sides[1].d, 3, 1e-6) << "the wall goes on at the next ray";
 }
 
-TEST(PolarSurface, ACellBesideAnInvalidRayIsUnknown)
+TEST(PolarLookup, ACellBesideAnInvalidRayIsUnknown)
 {
   SegmentedScan scan = roomOn(BeamGrid::centered(kPi, 181));
   scan.valid[90] = 0;

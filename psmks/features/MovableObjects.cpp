@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/features/FreeStanding.h>
+#include <psmks/features/MovableObjects.h>
 
 #include <algorithm>
 
@@ -43,7 +43,7 @@ void flagObject(const SegmentedScan& scan, int first, std::vector<std::uint8_t>&
 }
 }  // namespace
 
-void findFreeStanding(const SegmentedScan& scan, std::vector<std::uint8_t>& movable)
+void findMovableObjects(const SegmentedScan& scan, std::vector<std::uint8_t>& movable)
 {
   movable.assign(static_cast<std::size_t>(scan.rays()), 0);
   for (int first = 0; first < scan.rays(); ++first)

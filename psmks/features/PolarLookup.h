@@ -17,7 +17,7 @@ namespace psmks
  * k+1, each extended over the gap (paper, section 2.1: the line equation replaces interpolation,
  * and at the ends of succeeding segments both lines are candidates). A ray without a line stands
  * for the circle through its end point. */
-class PolarSurface
+class PolarLookup
 {
  public:
   /** One surface. Distances are n.p - d: negative in front of it, seen from the scanner. */
@@ -31,7 +31,7 @@ class PolarSurface
 
   /** @param lines of segments and patches
    *  @param lineOfRay index into lines of every ray, or -1
-   *  @param movableRays one flag per ray, see findFreeStanding()
+   *  @param movableRays one flag per ray, see findMovableObjects()
    *  Refers to none of them afterwards. Allocates only when the number of rays or lines grows. */
   void build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
              const std::vector<int>& lineOfRay, const std::vector<std::uint8_t>& movableRays);

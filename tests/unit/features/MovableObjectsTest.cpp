@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/features/FreeStanding.h>
+#include <psmks/features/MovableObjects.h>
 #include <psmks/segmentation/Preprocessing.h>
 #include <tests/support/Scenes.h>
 
@@ -15,7 +15,7 @@ std::vector<std::uint8_t> movableRays(const Scan& raw)
   SegmentedScan scan;
   cleanScan(raw, {}, scan);
   std::vector<std::uint8_t> movable;
-  findFreeStanding(scan, movable);
+  findMovableObjects(scan, movable);
   return movable;
 }
 
@@ -40,7 +40,7 @@ std::vector<Wall> wallWithBox(double front_m, double depth_m, double width_m, do
 //              |
 //     o   []   | wall
 //              |
-TEST(FreeStanding, APersonInFrontOfAWallIsMovable)
+TEST(MovableObjects, APersonInFrontOfAWallIsMovable)
 {
   const std::vector<Wall> walls = wallWithBox(1.5, 0.3, 0.4, 0.2);
   EXPECT_EQ(movableRays(castScan(walls, {}, kHalfCircle)), raysOnBox(walls, kHalfCircle));
@@ -49,19 +49,19 @@ TEST(FreeStanding, APersonInFrontOfAWallIsMovable)
 //              |
 //     o       []    a pillar that sticks out of the wall by 20 cm
 //              |
-TEST(FreeStanding, APillarAtTheWallIsNot)
+TEST(MovableObjects, APillarAtTheWallIsNot)
 {
   const std::vector<Wall> walls = wallWithBox(2.8, 0.2, 0.4);
   EXPECT_EQ(movableRays(castScan(walls, {}, kHalfCircle)), std::vector<std::uint8_t>(181, 0));
 }
 
-TEST(FreeStanding, WhatIsWiderThanAPersonIsNot)
+TEST(MovableObjects, WhatIsWiderThanAPersonIsNot)
 {
   const std::vector<Wall> walls = wallWithBox(1.5, 0.3, 1.0);
   EXPECT_EQ(movableRays(castScan(walls, {}, kHalfCircle)), std::vector<std::uint8_t>(181, 0));
 }
 
-TEST(FreeStanding, NoReturnBesideAnObjectCountsAsFar)
+TEST(MovableObjects, NoReturnBesideAnObjectCountsAsFar)
 {
   const std::vector<Wall> walls = box({1.5, 0}, 0.3, 0.4);
   const Scan scan = castScan(walls, {}, kHalfCircle);
@@ -71,14 +71,14 @@ TEST(FreeStanding, NoReturnBesideAnObjectCountsAsFar)
 }
 
 // The object is cut by the end of the field of view: what stands beside it is not seen.
-TEST(FreeStanding, AnObjectAtTheEndOfTheViewIsNot)
+TEST(MovableObjects, AnObjectAtTheEndOfTheViewIsNot)
 {
   const std::vector<Wall> walls = wallWithBox(1.5, 0.3, 0.4);
   const BeamGrid fromTheMiddleOn(0, degToRad(1), 80);
   EXPECT_EQ(movableRays(castScan(walls, {}, fromTheMiddleOn)), std::vector<std::uint8_t>(80, 0));
 }
 
-TEST(FreeStanding, AnObjectAcrossTheSeamOfAClosedScanIsMovable)
+TEST(MovableObjects, AnObjectAcrossTheSeamOfAClosedScanIsMovable)
 {
   std::vector<Wall> walls = squareRoom();
   for (const Wall& side : box({-1.5, 0}, 0.3, 0.4)) walls.push_back(side);
@@ -89,7 +89,7 @@ TEST(FreeStanding, AnObjectAcrossTheSeamOfAClosedScanIsMovable)
   EXPECT_EQ(movableRays(castScan(walls, {}, grid)), onBox);
 }
 
-TEST(FreeStanding, AClosedRoomHasNone)
+TEST(MovableObjects, AClosedRoomHasNone)
 {
   EXPECT_EQ(movableRays(castScan(squareRoom(), {}, BeamGrid::centered(2 * kPi, 360))),
             std::vector<std::uint8_t>(360, 0));

@@ -22,6 +22,6 @@ namespace psmks
  *
  * @param[in,out] lines the patches are appended
  * @param[in,out] lineOfRay index into lines of every ray, or -1; set for the rays of patches */
-void appendPatches(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
+void appendSurfels(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
                    std::vector<int>& lineOfRay);
 }  // namespace psmks

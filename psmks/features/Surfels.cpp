@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/features/Patches.h>
+#include <psmks/features/Surfels.h>
 #include <psmks/segmentation/LineInformation.h>
 
 #include <cmath>
@@ -85,7 +85,7 @@ class PatchFinder
 };
 }  // namespace
 
-void appendPatches(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
+void appendSurfels(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
                    std::vector<int>& lineOfRay)
 {
   PatchFinder(scan, lines, lineOfRay).run();

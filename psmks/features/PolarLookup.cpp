@@ -1,13 +1,13 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/features/PolarSurface.h>
+#include <psmks/features/PolarLookup.h>
 
 #include <algorithm>
 
 namespace psmks
 {
-void PolarSurface::build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
-                         const std::vector<int>& lineOfRay,
-                         const std::vector<std::uint8_t>& movableRays)
+void PolarLookup::build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
+                        const std::vector<int>& lineOfRay,
+                        const std::vector<std::uint8_t>& movableRays)
 {
   const int rays = scan.rays();
   closed_ = scan.grid.closed();
@@ -34,14 +34,14 @@ void PolarSurface::build(const SegmentedScan& scan, const std::vector<AnchoredLi
 }
 
 /** The tangent of the circle through the end point of a ray without a line. */
-PolarSurface::Side PolarSurface::roundSide(const SegmentedScan& scan, std::size_t ray)
+PolarLookup::Side PolarLookup::roundSide(const SegmentedScan& scan, std::size_t ray)
 {
   return {static_cast<float>(scan.grid.cosines()[ray]), static_cast<float>(scan.grid.sines()[ray]),
           static_cast<float>(scan.range_m[ray]), -1};
 }
 
-void PolarSurface::flagCells(const std::vector<std::uint8_t>& valid,
-                             const std::vector<std::uint8_t>& movable)
+void PolarLookup::flagCells(const std::vector<std::uint8_t>& valid,
+                            const std::vector<std::uint8_t>& movable)
 {
   const std::size_t rays = valid.size();
   flags_.resize(rays + 1);

@@ -18,5 +18,5 @@ namespace psmks
  *
  * Such an object - a person, a chair, a cart - may have moved between two scans. Walls and their
  * corners never look like this. */
-void findFreeStanding(const SegmentedScan& scan, std::vector<std::uint8_t>& movable);
+void findMovableObjects(const SegmentedScan& scan, std::vector<std::uint8_t>& movable);
 }  // namespace psmks

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/features/Patches.h>
+#include <psmks/features/Surfels.h>
 
 namespace psmks
 {
@@ -34,14 +34,14 @@ Found patchesOf(const SegmentedScan& scan)
 {
   Found found;
   found.lineOfRay = scan.segmentOfRay;
-  appendPatches(scan, found.lines, found.lineOfRay);
+  appendSurfels(scan, found.lines, found.lineOfRay);
   return found;
 }
 
 //        o o o        four rays on a wall 2 m ahead, 3.5 cm apart: too few for a segment
 //          |
 //          ^ scanner
-TEST(Patches, AShortWallIsOnePatch)
+TEST(Surfels, AShortWallIsOnePatch)
 {
   SegmentedScan scan = unsegmented();
   const Line wall{2.0, 0, Eigen::Matrix2d::Zero()};
@@ -57,14 +57,14 @@ TEST(Patches, AShortWallIsOnePatch)
   EXPECT_EQ(found.lineOfRay[93], -1);
 }
 
-TEST(Patches, ALongerRunIsCutIntoPieces)
+TEST(Surfels, ALongerRunIsCutIntoPieces)
 {
   SegmentedScan scan = unsegmented();
   for (int ray = 80; ray <= 100; ++ray) setRay(scan, ray, 2.0);  // an arc of 70 cm
   EXPECT_EQ(patchesOf(scan).lines.size(), 3u);
 }
 
-TEST(Patches, TwoRaysAreNone)
+TEST(Surfels, TwoRaysAreNone)
 {
   SegmentedScan scan = unsegmented();
   setRay(scan, 90, 2.0);
@@ -73,7 +73,7 @@ TEST(Patches, TwoRaysAreNone)
 }
 
 // Neighbouring rays on two objects, half a metre apart in depth.
-TEST(Patches, AJumpSeparates)
+TEST(Surfels, AJumpSeparates)
 {
   SegmentedScan scan = unsegmented();
   for (int ray = 88; ray <= 90; ++ray) setRay(scan, ray, 2.0);
@@ -83,7 +83,7 @@ TEST(Patches, AJumpSeparates)
   EXPECT_NE(found.lineOfRay[90], found.lineOfRay[91]);
 }
 
-TEST(Patches, RaysOfSegmentsAreLeftAlone)
+TEST(Surfels, RaysOfSegmentsAreLeftAlone)
 {
   SegmentedScan scan = unsegmented();
   for (int ray = 88; ray <= 92; ++ray)
@@ -96,7 +96,7 @@ TEST(Patches, RaysOfSegmentsAreLeftAlone)
 }
 
 // Rays that scatter by decimetres, leaves of a plant.
-TEST(Patches, RoughObjectsAreNone)
+TEST(Surfels, RoughObjectsAreNone)
 {
   SegmentedScan scan = unsegmented();
   for (int ray = 86; ray <= 94; ++ray) setRay(scan, ray, ray % 2 ? 2.0 : 2.09);
