@@ -5,7 +5,7 @@
 #include <psmks/features/CirclePairing.h>
 #include <psmks/features/ShortLines.h>
 #include <psmks/geometry/Observability.h>
-#include <psmks/geometry/SurfaceSums.h>
+#include <psmks/geometry/RangeInformation.h>
 #include <psmks/segmentation/Segmentation.h>
 
 #include <Eigen/Cholesky>
@@ -50,7 +50,7 @@ void addLines(const TruthView& view, SharedLines& lines)
 
 /** Gives every ray of a scan to the wall that it ends on. */
 void addRays(const TruthView& view, bool isCurrent, const SharedLines& lines,
-             std::vector<SurfaceSums>& walls)
+             std::vector<RangeInformation>& walls)
 {
   const Eigen::Matrix2d R_ref_scan = view.T_ref_scan.rotation();
   const RangeNoise& noise = view.scan.rangeNoise;
@@ -75,11 +75,11 @@ Eigen::Matrix3d lineInformation(const TruthView& reference, const TruthView& cur
   addLines(reference, lines);
   addLines(current, lines);
   lines.group();
-  std::vector<SurfaceSums> walls(lines.pieces().size());
+  std::vector<RangeInformation> walls(lines.pieces().size());
   addRays(reference, false, lines, walls);
   addRays(current, true, lines, walls);
-  PoseSums sums;
-  for (const SurfaceSums& wall : walls) wall.addTo(sums);
+  PoseInformation sums;
+  for (const RangeInformation& wall : walls) wall.addTo(sums);
   return sums.information / reference.scan.rangeNoise.varianceAt_m2(0);
 }
 

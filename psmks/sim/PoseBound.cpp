@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/geometry/SurfaceSums.h>
+#include <psmks/geometry/RangeInformation.h>
 #include <psmks/sim/PoseBound.h>
 
 #include <Eigen/LU>
@@ -68,8 +68,8 @@ class BoundSums
 
   PoseBound bound() const
   {
-    PoseSums total;
-    for (const SurfaceSums& object : sums_) object.addTo(total);
+    PoseInformation total;
+    for (const RangeInformation& object : sums_) object.addTo(total);
     const double information = 1 / noise_.varianceAt_m2(0);
     return {information * total.information, information * total.pull};
   }
@@ -101,7 +101,7 @@ class BoundSums
     }
   }
 
-  SurfaceSums& sumsOf(int object)
+  RangeInformation& sumsOf(int object)
   {
     int& slot = slotOfObject_[static_cast<std::size_t>(object)];
     if (slot == kNoSlot)
@@ -115,7 +115,7 @@ class BoundSums
   ObjectsFromReference objects_;
   RangeNoise noise_;
   std::vector<int> slotOfObject_;
-  std::vector<SurfaceSums> sums_;
+  std::vector<RangeInformation> sums_;
 };
 }  // namespace
 

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/geometry/SurfaceSums.h>
+#include <psmks/geometry/RangeInformation.h>
 
 #include <cmath>
 
@@ -53,7 +53,7 @@ SurfaceContact SurfaceContact::onCircle(const Eigen::Vector2d& centre_m,
   return {normal, {1, normal.x(), normal.y()}, 3};
 }
 
-void SurfaceSums::add(const SurfaceRay& ray, const SurfaceContact& contact)
+void RangeInformation::add(const SurfaceRay& ray, const SurfaceContact& contact)
 {
   const Eigen::Vector2d& u = contact.normal;
   const double incidenceCosine = u.dot(ray.direction);
@@ -72,7 +72,7 @@ void SurfaceSums::add(const SurfaceRay& ray, const SurfaceContact& contact)
 
 // Schur complement of the object's unknowns. The column of an unknown that depends on those before
 // it is zero by then, but for rounding.
-void SurfaceSums::addTo(PoseSums& total) const
+void RangeInformation::addTo(PoseInformation& total) const
 {
   if (referenceRays_ == 0 || currentRays_ == 0 || referenceRays_ + currentRays_ <= unknowns_)
     return;

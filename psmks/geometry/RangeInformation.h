@@ -34,14 +34,14 @@ struct SurfaceRay
 
 /** What rays of a standard deviation of 1 m say about the error (x, y, phi) of T_ref_cur, in the
  * axes of the reference. */
-struct PoseSums
+struct PoseInformation
 {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();  //!< information * error = pull
 };
 
 /** Normal equations of all rays of two scans on one thing of unknown place. */
-class SurfaceSums
+class RangeInformation
 {
  public:
   /** Rays that graze the surface are left out: they say nothing linear about it. */
@@ -49,7 +49,7 @@ class SurfaceSums
 
   /** Adds what is left for the pose once the thing's own unknowns have explained all they can:
    * nothing where only one scan sees it or where there are no more rays than unknowns. */
-  void addTo(PoseSums& total) const;
+  void addTo(PoseInformation& total) const;
 
  private:
   static constexpr int kColumns = 7;  // pose, unknowns of the thing, noise
