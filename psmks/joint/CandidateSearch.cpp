@@ -17,24 +17,25 @@ Pose2 moved(const Pose2& T, const Eigen::Vector2d& by_m)
 
 /** A start that explained more before was drawn to lines that are not its own - the other face of a
  * thin wall: once more with narrower gates. */
-void CandidateSearch::consider(const Pose2& start)
+void CandidateSearch::refineAndKeep(const Pose2& start)
 {
   constexpr double kNarrow = 0.5;
   ++match_.result.hypotheses;
   const RefinedPose candidate = refinement_.refine(start);
   keepIfBest(candidate);
-  if (candidate.dissent_rad != 0) keepIfBest(refinement_.refine(heard(candidate), kNarrow));
+  if (candidate.bestPairAngleResidual_rad != 0)
+    keepIfBest(refinement_.refine(rotatedToBestLinePair(candidate), kNarrow));
   const bool canNarrow = match_.options.reassociations > 1 && candidate.score > 0;
-  if (!canNarrow || judge_.isConvincing(candidate)) return;
+  if (!canNarrow || verifier_.isConvincing(candidate)) return;
   if (freeSpaceScore(match_.scores.allCounts(start)) > candidate.score)
     keepIfBest(refinement_.refine(start, kNarrow));
 }
 
 /** The pose turned to where the pair of lines that knows the heading best wants it. */
-Pose2 CandidateSearch::heard(const RefinedPose& candidate)
+Pose2 CandidateSearch::rotatedToBestLinePair(const RefinedPose& candidate)
 {
   Pose2 T = candidate.T_ref_cur;
-  T.phi_rad = wrapAngle(T.phi_rad - candidate.dissent_rad);
+  T.phi_rad = wrapAngle(T.phi_rad - candidate.bestPairAngleResidual_rad);
   return T;
 }
 
@@ -45,8 +46,8 @@ void CandidateSearch::keepIfBest(const RefinedPose& candidate)
   if (match_.trace)
     match_.trace->steps.push_back(
         {"gauss-newton", candidate.T_ref_cur, candidate.score, candidate.associations, 0});
-  match_.buffers.considered.push_back(candidate);
-  if (best_.score > 0 && judge_.merit(candidate) <= judge_.merit(best_)) return;
+  match_.buffers.refinedPoses.push_back(candidate);
+  if (best_.score > 0 && verifier_.rankingScore(candidate) <= verifier_.rankingScore(best_)) return;
   best_ = candidate;
 }
 
@@ -59,15 +60,15 @@ void CandidateSearch::searchFurther()
     match_.buffers.hypotheses.push_back({match_.guess.T_ref_cur, 0, 0});
   considerMostPromising(options.refinedHypotheses);
   constexpr double kEnough = 0.25;  // of the rays in common for single ones to tell a place
-  if (!match_.guessPrior && !judge_.isConvincing(best_) && match_.pairsMoreThan(kEnough, best_))
-    slide();
+  if (!match_.guessPrior && !verifier_.isConvincing(best_) && match_.pairsMoreThan(kEnough, best_))
+    searchAlongWeakDirections();
 }
 
 void CandidateSearch::reserve()
 {
   const JointOptions& o = match_.options;
   const double radius_m = match_.guessPrior ? o.searchRadius_m : o.wideRadius_m;
-  match_.buffers.wideSearch.reserve(radius_m, std::max(o.searchAngle_rad, o.wideAngle_rad));
+  match_.buffers.correlativeSearch.reserve(radius_m, std::max(o.searchAngle_rad, o.wideAngle_rad));
   match_.buffers.hypotheses.reserve(mostPlacesAlong(std::max(o.searchRadius_m, o.wideRadius_m)));
 }
 
@@ -76,9 +77,9 @@ void CandidateSearch::searchWide()
   constexpr double kMoreFarOff = 0.1;  // of the rays than an acceptable pose near the guess
   const RefinedPose nearGuess = best_;
   tryGrid(match_.guessPrior ? withinGuess() : farFromGuess());
-  if (judge_.isAcceptable(nearGuess) && best_.score < nearGuess.score + kMoreFarOff)
+  if (verifier_.isAcceptable(nearGuess) && best_.score < nearGuess.score + kMoreFarOff)
     best_ = nearGuess;
-  if (match_.guessPrior && !judge_.isAcceptable(best_)) searchDespiteGuess();
+  if (match_.guessPrior && !verifier_.isAcceptable(best_)) searchDespiteGuess();
 }
 
 /** The wheels may have slipped: the guess then is no measurement of this motion. */
@@ -89,24 +90,24 @@ void CandidateSearch::searchDespiteGuess()
   const std::optional<PriorTerm> measured = match_.guessPrior;
   match_.guessPrior.reset();
   tryGrid(turnedFromGuess());
-  if (judge_.isBeyondDoubt(best_)) return;
+  if (verifier_.isBeyondDoubt(best_)) return;
   best_ = nearGuess;
   mostAssociations_ = mostNearGuess;
   match_.guessPrior = measured;
 }
 
-void CandidateSearch::tryGrid(const WideEffort& effort)
+void CandidateSearch::tryGrid(const SearchWindow& effort)
 {
   Stopwatch watch;
   JointBuffers& buffers = match_.buffers;
-  buffers.wideSearch.propose(match_.scores, match_.guess.T_ref_cur, effort.limits,
-                             buffers.hypotheses);
+  buffers.correlativeSearch.propose(match_.scores, match_.guess.T_ref_cur, effort.limits,
+                                    buffers.hypotheses);
   match_.result.times.search_s += watch.lap_s();
   considerMostPromising(effort.times * match_.options.refinedHypotheses);
 }
 
 /** All that a measured guess leaves open. */
-CandidateSearch::WideEffort CandidateSearch::withinGuess() const
+CandidateSearch::SearchWindow CandidateSearch::withinGuess() const
 {
   constexpr double kSigmas = 3;
   constexpr std::size_t kFollowed = 16;
@@ -117,18 +118,18 @@ CandidateSearch::WideEffort CandidateSearch::withinGuess() const
           1};
 }
 
-CandidateSearch::WideEffort CandidateSearch::farFromGuess() const
+CandidateSearch::SearchWindow CandidateSearch::farFromGuess() const
 {
-  return thorough(match_.options.wideRadius_m);
+  return exhaustiveWindow(match_.options.wideRadius_m);
 }
 
 /** Wheels that slip turn the guess far more than they move it. */
-CandidateSearch::WideEffort CandidateSearch::turnedFromGuess() const
+CandidateSearch::SearchWindow CandidateSearch::turnedFromGuess() const
 {
-  return thorough(match_.options.searchRadius_m);
+  return exhaustiveWindow(match_.options.searchRadius_m);
 }
 
-CandidateSearch::WideEffort CandidateSearch::thorough(double radius_m) const
+CandidateSearch::SearchWindow CandidateSearch::exhaustiveWindow(double radius_m) const
 {
   constexpr std::size_t kFollowed = 80;
   constexpr int kTimes = 3;
@@ -148,18 +149,19 @@ void CandidateSearch::propose(const SearchLimits& limits)
 /** Of the hypotheses, until a pose is convincing. */
 void CandidateSearch::considerMostPromising(int most)
 {
-  constexpr double kHopeless = 0.75;  // promise, as a share of the best score, not worth a look
+  constexpr double kHopeless =
+      0.75;  // hypothesisScore, as a share of the best score, not worth a look
   Stopwatch watch;
   std::vector<Hypothesis>& starts = match_.buffers.hypotheses;
-  for (Hypothesis& h : starts) h.score = promise_.of(h.T_ref_cur);
+  for (Hypothesis& h : starts) h.score = hypothesisScore_.of(h.T_ref_cur);
   std::sort(starts.begin(), starts.end(),
             [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
   match_.result.times.search_s += watch.lap_s();
   const std::size_t last = std::min(starts.size(), static_cast<std::size_t>(most));
-  for (std::size_t i = 0; i < last && !judge_.isConvincing(best_); ++i)
+  for (std::size_t i = 0; i < last && !verifier_.isConvincing(best_); ++i)
   {
     if (starts[i].score < kHopeless * best_.score) break;
-    consider(starts[i].T_ref_cur);
+    refineAndKeep(starts[i].T_ref_cur);
   }
 }
 
@@ -171,41 +173,41 @@ void CandidateSearch::considerMostPromising(int most)
  * worst are scored, and those that explain more than the best pose so far, or about as much, are
  * refined. Where the guess was measured, it tells the place along the wall; and scans that have
  * little in common may fit anywhere by chance. */
-void CandidateSearch::slide()
+void CandidateSearch::searchAlongWeakDirections()
 {
   constexpr double kSame = 0.985;  // cosine of 10 degrees
   const Eigen::Vector2d weakest = best_.observability.weakDirection;
-  slideAlong(weakest);
+  searchAlong(weakest);
   const Eigen::Vector2d walls = directionOfWalls(match_.buffers.reference.scan->segments);
-  if (std::abs(walls.dot(weakest)) < kSame) slideAlong(walls);
+  if (std::abs(walls.dot(weakest)) < kSame) searchAlong(walls);
 }
 
-void CandidateSearch::slideAlong(const Eigen::Vector2d& direction)
+void CandidateSearch::searchAlong(const Eigen::Vector2d& direction)
 {
-  if (judge_.isConvincing(best_)) return;
-  proposeAlong(direction, judge_.mayBeFarOff(best_) ? farAlong() : nearAlong());
+  if (verifier_.isConvincing(best_)) return;
+  proposeAlong(direction, verifier_.mayBeFarOff(best_) ? farAlong() : nearAlong());
   for (const Hypothesis& place : match_.buffers.hypotheses)
   {
-    if (judge_.isConvincing(best_)) return;
-    consider(place.T_ref_cur);
+    if (verifier_.isConvincing(best_)) return;
+    refineAndKeep(place.T_ref_cur);
   }
 }
 
-void CandidateSearch::challenge()
+void CandidateSearch::probeAlternatives()
 {
   constexpr double kAside_m = 0.2;
   const Pose2 held = best_.T_ref_cur;
   const Eigen::Vector2d direction = best_.observability.weakDirection;
   proposeAlong(direction, nearAlong());
-  consider(moved(held, kAside_m * direction));
-  consider(moved(held, -kAside_m * direction));
-  for (const Hypothesis& place : match_.buffers.hypotheses) consider(place.T_ref_cur);
+  refineAndKeep(moved(held, kAside_m * direction));
+  refineAndKeep(moved(held, -kAside_m * direction));
+  for (const Hypothesis& place : match_.buffers.hypotheses) refineAndKeep(place.T_ref_cur);
 }
 
 void CandidateSearch::proposeAlong(const Eigen::Vector2d& direction, const AlongLimits& limits)
 {
   Stopwatch watch;
-  findPlacesAlong(promise_, best_.T_ref_cur, direction, limits, match_.buffers.hypotheses);
+  findPlacesAlong(hypothesisScore_, best_.T_ref_cur, direction, limits, match_.buffers.hypotheses);
   match_.result.times.search_s += watch.lap_s();
 }
 

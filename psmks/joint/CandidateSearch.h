@@ -1,22 +1,22 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/joint/PlacesAlong.h>
-#include <psmks/joint/PoseJudge.h>
+#include <psmks/joint/PoseVerifier.h>
 #include <psmks/joint/Refinement.h>
+#include <psmks/joint/WeakDirectionSearch.h>
 
 namespace psmks
 {
 /** Refines starts, one after the other, and keeps the best pose that comes of them. All that were
- * associated well enough are left in JointBuffers::considered. */
+ * associated well enough are left in JointBuffers::refinedPoses. */
 class CandidateSearch
 {
  public:
-  CandidateSearch(JointMatch& match, const PoseJudge& judge, Refinement& refinement)
+  CandidateSearch(JointMatch& match, const PoseVerifier& verifier, Refinement& refinement)
       : match_(match),
-        judge_(judge),
+        verifier_(verifier),
         refinement_(refinement),
-        promise_(match.scores, match.guess.T_ref_cur, match.options)
+        hypothesisScore_(match.scores, match.guess.T_ref_cur, match.options)
   {
   }
 
@@ -24,7 +24,7 @@ class CandidateSearch
   void reserve();
 
   /** Refines a start and keeps what comes of it if it is the best so far. */
-  void consider(const Pose2& start);
+  void refineAndKeep(const Pose2& start);
 
   /** Considers what segment angles and line intersections vote for, most promising first, until a
    * pose is convincing. */
@@ -39,7 +39,7 @@ class CandidateSearch
 
   /** Considers starts beside the best pose and at other good places along the same walls: they come
    * back, or they are rivals. */
-  void challenge();
+  void probeAlternatives();
 
   /** Its score is -1 where no start was associated well enough. */
   const RefinedPose& best() const { return best_; }
@@ -48,32 +48,32 @@ class CandidateSearch
   int mostAssociations() const { return mostAssociations_; }
 
  private:
-  struct WideEffort
+  struct SearchWindow
   {
-    WideLimits limits;
+    CorrelativeLimits limits;
     int times;  //!< as many starts as near the guess
   };
 
   void keepIfBest(const RefinedPose& candidate);
-  static Pose2 heard(const RefinedPose& candidate);
+  static Pose2 rotatedToBestLinePair(const RefinedPose& candidate);
   void propose(const SearchLimits& limits);
   void considerMostPromising(int most);
   void searchDespiteGuess();
-  void tryGrid(const WideEffort& effort);
-  WideEffort withinGuess() const;
-  WideEffort farFromGuess() const;
-  WideEffort turnedFromGuess() const;
-  WideEffort thorough(double radius_m) const;
-  void slide();
-  void slideAlong(const Eigen::Vector2d& direction);
+  void tryGrid(const SearchWindow& effort);
+  SearchWindow withinGuess() const;
+  SearchWindow farFromGuess() const;
+  SearchWindow turnedFromGuess() const;
+  SearchWindow exhaustiveWindow(double radius_m) const;
+  void searchAlongWeakDirections();
+  void searchAlong(const Eigen::Vector2d& direction);
   void proposeAlong(const Eigen::Vector2d& direction, const AlongLimits& limits);
   AlongLimits nearAlong() const;
   AlongLimits farAlong() const;
 
   JointMatch& match_;
-  const PoseJudge& judge_;
+  const PoseVerifier& verifier_;
   Refinement& refinement_;
-  StartPromise promise_;
+  HypothesisScore hypothesisScore_;
   RefinedPose best_;
   int mostAssociations_ = 0;
 };

@@ -17,7 +17,7 @@ void JointConclusion::conclude(int mostAssociations)
   }
   result_.score = best_.score;
   result_.associations = best_.associations;
-  if (!judge_.isAcceptable(best_))
+  if (!verifier_.isAcceptable(best_))
   {
     result_.status = MatchStatus::NoImprovement;
     return;
@@ -36,8 +36,8 @@ void JointConclusion::accept()
                                     ? match_.guessPrior->information
                                     : MatchResult::unknownCovariance().inverse().eval();
   result_.covariance = (best_.information + prior).inverse();
-  tellOfRivals();
-  if (judge_.hasFewStraightLines(best_) && isHeadingOpen()) leaveHeadingOpen(prior(2, 2));
+  addAmbiguity();
+  if (verifier_.hasFewStraightLines(best_) && isHeadingOpen()) markHeadingUnobservable(prior(2, 2));
   result_.times.scoring_s += watch.lap_s();
 }
 
@@ -68,11 +68,11 @@ void JointConclusion::settleDirection(const Eigen::Vector2d& weakDirection, doub
 }
 
 /** Where another pose along the same walls explains as much, the position between both is open. */
-void JointConclusion::tellOfRivals()
+void JointConclusion::addAmbiguity()
 {
-  for (const RefinedPose& other : match_.buffers.considered)
+  for (const RefinedPose& other : match_.buffers.refinedPoses)
   {
-    if (!isRival(other)) continue;
+    if (!isAmbiguousWith(other)) continue;
     const Eigen::Vector2d between_m = other.T_ref_cur.translation() - best_.T_ref_cur.translation();
     result_.status = MatchStatus::Degenerate;
     result_.unobservableDirection = between_m.normalized();
@@ -80,16 +80,16 @@ void JointConclusion::tellOfRivals()
   }
 }
 
-bool JointConclusion::isRival(const RefinedPose& other) const
+bool JointConclusion::isAmbiguousWith(const RefinedPose& other) const
 {
   constexpr double kSameHeading_rad = degToRad(2), kElsewhere_m = 0.1;
   constexpr double kNearTie = 0.05, kNearTieUnheld = 0.2;
   const Pose2 apart = best_.T_ref_cur.inverse() * other.T_ref_cur;
   const bool isElsewhere =
       apart.translation().norm() > kElsewhere_m && std::abs(apart.phi_rad) < kSameHeading_rad;
-  const double tie = judge_.isHeldByLines(best_) ? kNearTie : kNearTieUnheld;
+  const double tie = verifier_.isHeldByLines(best_) ? kNearTie : kNearTieUnheld;
   return isElsewhere && other.score >= best_.score - tie &&
-         !judge_.contradictsGuess(other.T_ref_cur);
+         !verifier_.contradictsGuess(other.T_ref_cur);
 }
 
 /** Puts the heading to the test: whether a start turned away, to either side, stays away and
@@ -97,11 +97,11 @@ bool JointConclusion::isRival(const RefinedPose& other) const
 bool JointConclusion::isHeadingOpen()
 {
   constexpr double kTurn_rad = degToRad(5);
-  return staysAway(kTurn_rad) ||
-         (!judge_.agreesWithGuess(best_.T_ref_cur) && staysAway(-kTurn_rad));
+  return convergesElsewhere(kTurn_rad) ||
+         (!verifier_.agreesWithGuess(best_.T_ref_cur) && convergesElsewhere(-kTurn_rad));
 }
 
-bool JointConclusion::staysAway(double turn_rad)
+bool JointConclusion::convergesElsewhere(double turn_rad)
 {
   Pose2 turned = best_.T_ref_cur;
   turned.phi_rad = wrapAngle(turned.phi_rad + turn_rad);
@@ -120,7 +120,7 @@ bool JointConclusion::explainsAsMuch(const RefinedPose& other) const
  * not explained as well at that heading - it is open about the pose, but not as far as the guess -
  * the pose stays.
  *  @param priorInformation of the heading, 1/rad^2 */
-void JointConclusion::leaveHeadingOpen(double priorInformation)
+void JointConclusion::markHeadingUnobservable(double priorInformation)
 {
   result_.status = MatchStatus::Degenerate;
   result_.headingUnobservable = true;

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/joint/PoseJudge.h>
+#include <psmks/joint/PoseVerifier.h>
 #include <psmks/joint/Refinement.h>
 
 namespace psmks
@@ -12,9 +12,13 @@ class JointConclusion
 {
  public:
   /** @param best kept by reference */
-  JointConclusion(JointMatch& match, const PoseJudge& judge, Refinement& refinement,
+  JointConclusion(JointMatch& match, const PoseVerifier& verifier, Refinement& refinement,
                   const RefinedPose& best)
-      : match_(match), judge_(judge), refinement_(refinement), best_(best), result_(match.result)
+      : match_(match),
+        verifier_(verifier),
+        refinement_(refinement),
+        best_(best),
+        result_(match.result)
   {
   }
 
@@ -26,15 +30,15 @@ class JointConclusion
   void accept();
   void settleUnobservable();
   void settleDirection(const Eigen::Vector2d& weakDirection, double weakSigma_m);
-  void tellOfRivals();
-  bool isRival(const RefinedPose& other) const;
+  void addAmbiguity();
+  bool isAmbiguousWith(const RefinedPose& other) const;
   bool isHeadingOpen();
-  bool staysAway(double turn_rad);
+  bool convergesElsewhere(double turn_rad);
   bool explainsAsMuch(const RefinedPose& other) const;
-  void leaveHeadingOpen(double priorInformation);
+  void markHeadingUnobservable(double priorInformation);
 
   JointMatch& match_;
-  const PoseJudge& judge_;
+  const PoseVerifier& verifier_;
   Refinement& refinement_;
   const RefinedPose& best_;
   MatchResult& result_;

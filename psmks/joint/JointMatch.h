@@ -1,11 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/joint/CorrelativeSearch.h>
 #include <psmks/joint/Hypotheses.h>
 #include <psmks/joint/JointOptions.h>
 #include <psmks/joint/RefinedPose.h>
 #include <psmks/joint/ScanScores.h>
-#include <psmks/joint/WideSearch.h>
 #include <psmks/match/ExternalSolvers.h>
 #include <psmks/match/Guess.h>
 #include <psmks/match/JointProblem.h>
@@ -23,9 +23,9 @@ struct JointBuffers
 {
   ScanFeatures reference, current;
   HypothesisSearch search;
-  WideSearch wideSearch;
+  CorrelativeSearch correlativeSearch;
   std::vector<Hypothesis> hypotheses;
-  std::vector<RefinedPose> considered;
+  std::vector<RefinedPose> refinedPoses;
   JointProblem problem;
 };
 

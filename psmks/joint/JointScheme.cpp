@@ -10,7 +10,7 @@ namespace
 /** The views of both scans, and nothing left of the match before. */
 void fill(JointBuffers& buffers, const SegmentedScan& reference, const SegmentedScan& current)
 {
-  buffers.considered.clear();
+  buffers.refinedPoses.clear();
   buffers.reference.build(reference);
   buffers.current.build(current);
 }
@@ -21,7 +21,7 @@ void tryGuess(JointMatch& match, CandidateSearch& search)
   const Pose2& guess_T_ref_cur = match.guess.T_ref_cur;
   const double score = match.scores.roughScore(guess_T_ref_cur);
   match.result.errorBefore = match.result.errorAfter = 1 - score;
-  if (score >= kPromising) search.consider(guess_T_ref_cur);
+  if (score >= kPromising) search.refineAndKeep(guess_T_ref_cur);
 }
 }  // namespace
 
@@ -32,19 +32,20 @@ MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedSc
 {
   fill(buffers, reference, current);
   JointMatch match(guess, options, external, buffers, trace);
-  const PoseJudge judge(match);
+  const PoseVerifier verifier(match);
   Refinement refinement(match);
-  CandidateSearch search(match, judge, refinement);
+  CandidateSearch search(match, verifier, refinement);
   const RefinedPose& best = search.best();
   const bool searchesWide = options.wideRadius_m > 0 && !guess.isTrial;
   if (searchesWide) search.reserve();
 
   tryGuess(match, search);
-  if (!judge.isConvincing(best)) search.searchFurther();
-  if (searchesWide && judge.isDoubtful(best)) search.searchWide();
+  if (!verifier.isConvincing(best)) search.searchFurther();
+  if (searchesWide && verifier.isDoubtful(best)) search.searchWide();
   const bool isMeasured = guess.covariance.has_value();
-  if (!isMeasured && judge.isConvincing(best) && judge.isWeaklyHeld(best)) search.challenge();
-  JointConclusion(match, judge, refinement, best).conclude(search.mostAssociations());
+  if (!isMeasured && verifier.isConvincing(best) && verifier.isWeaklyHeld(best))
+    search.probeAlternatives();
+  JointConclusion(match, verifier, refinement, best).conclude(search.mostAssociations());
   return match.result;
 }
 }  // namespace psmks

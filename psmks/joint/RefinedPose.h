@@ -19,6 +19,7 @@ struct RefinedPose
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  //!< of the scans alone
   Observability observability;
   double angleVariance_rad2 = 0;  //!< of the pair of lines whose directions are known best
-  double dissent_rad = 0;         //!< angle left between these two where it is no chance, else 0
+  double bestPairAngleResidual_rad =
+      0;  //!< angle left between these two where it is no chance, else 0
 };
 }  // namespace psmks

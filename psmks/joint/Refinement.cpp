@@ -114,22 +114,22 @@ void Refinement::score(RefinedPose& pose) const
   pose.inlierRays = match_.scores.inlierRays(counts);
   pose.information = linearise(problem, pose.T_ref_cur, false).H;
   pose.observability = observability(pose.information);
-  askBestKnownPair(pose);
+  compareWithBestLinePair(pose);
 }
 
 /** The kernel may have given up the one pair of lines that knows the heading best, for many others
  * that hardly know it. */
-void Refinement::askBestKnownPair(RefinedPose& pose) const
+void Refinement::compareWithBestLinePair(RefinedPose& pose) const
 {
   constexpr double kByChance = 4;  // standard deviations
   pose.angleVariance_rad2 = std::numeric_limits<double>::infinity();
-  pose.dissent_rad = 0;
+  pose.bestPairAngleResidual_rad = 0;
   for (const LinePairTerm& pair : match_.buffers.problem.linePairs)
   {
     if (pair.angleVariance_rad2 >= pose.angleVariance_rad2) continue;
     const double left_rad = wrapAngle(pair.angle_rad + pose.T_ref_cur.phi_rad);
     pose.angleVariance_rad2 = pair.angleVariance_rad2;
-    pose.dissent_rad =
+    pose.bestPairAngleResidual_rad =
         left_rad * left_rad > kByChance * kByChance * pair.angleVariance_rad2 ? left_rad : 0;
   }
 }

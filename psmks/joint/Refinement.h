@@ -23,7 +23,7 @@ class Refinement
   double distanceGate_m(double share) const;
   bool solve(const SolverLimits& limits, Pose2& T_ref_cur);
   void score(RefinedPose& pose) const;
-  void askBestKnownPair(RefinedPose& pose) const;
+  void compareWithBestLinePair(RefinedPose& pose) const;
 
   bool hasTooFew(const RefinedPose& pose) const;
   bool isWithin(const Pose2& motion, double share) const;

@@ -3,7 +3,7 @@
 
 #include <psmks/geometry/Angle.h>
 #include <psmks/joint/Hypotheses.h>
-#include <psmks/joint/StartPromise.h>
+#include <psmks/joint/HypothesisScore.h>
 
 #include <vector>
 
@@ -15,11 +15,11 @@ struct AlongLimits
   double reach_m;        //!< to either side
   double turn_rad;       //!< far along, a heading wrong by this much is tried too; 0: none
   std::size_t most;      //!< places kept
-  double missedPromise;  //!< those that promise less than the best by more are dropped
+  double missedPromise;  //!< those that hypothesisScore less than the best by more are dropped
 };
 
 /** The most promising places on a line through a pose, best first, but for that pose itself. */
-void findPlacesAlong(const StartPromise& promise, const Pose2& T_ref_cur,
+void findPlacesAlong(const HypothesisScore& hypothesisScore, const Pose2& T_ref_cur,
                      const Eigen::Vector2d& direction, const AlongLimits& limits,
                      std::vector<Hypothesis>& places);
 

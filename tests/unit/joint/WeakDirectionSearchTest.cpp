@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/core/Matcher.h>
-#include <psmks/joint/PlacesAlong.h>
+#include <psmks/joint/WeakDirectionSearch.h>
 #include <tests/support/Scenes.h>
 
 namespace psmks
@@ -30,7 +30,7 @@ std::vector<Wall> corridorWithNiches()
 
 constexpr double kMoved_m = 3;
 
-class PlacesAlong : public testing::Test
+class WeakDirectionSearch : public testing::Test
 {
  protected:
   Scan scanAt(double x_m)
@@ -60,7 +60,7 @@ Segment segment(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m)
 }
 }  // namespace
 
-TEST_F(PlacesAlong, AreLookedForBeyondTheSearchAboutTheGuess)
+TEST_F(WeakDirectionSearch, AreLookedForBeyondTheSearchAboutTheGuess)
 {
   const MatchResult result = match({});
   ASSERT_TRUE(result.usable()) << result.report();
@@ -69,7 +69,7 @@ TEST_F(PlacesAlong, AreLookedForBeyondTheSearchAboutTheGuess)
   EXPECT_NEAR(result.T_ref_cur.phi_rad, 0, degToRad(0.2));
 }
 
-TEST_F(PlacesAlong, AreNearWhereTheWideSearchIsOff)
+TEST_F(WeakDirectionSearch, AreNearWhereTheWideSearchIsOff)
 {
   MatcherOptions options;
   options.joint.wideRadius_m = 0;

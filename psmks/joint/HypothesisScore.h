@@ -10,11 +10,12 @@ namespace psmks
 /** How much a start promises before it is refined: its rough score, less where it is remote. Of
  * starts that explain the scans alike - a square room looks the same four ways - the one nearer the
  * guess goes first. */
-class StartPromise
+class HypothesisScore
 {
  public:
   /** @param scores, options are kept by reference */
-  StartPromise(const ScanScores& scores, const Pose2& guess_T_ref_cur, const JointOptions& options);
+  HypothesisScore(const ScanScores& scores, const Pose2& guess_T_ref_cur,
+                  const JointOptions& options);
 
   double of(const Pose2& T_ref_cur) const;
 

@@ -9,7 +9,7 @@
 namespace psmks
 {
 /** How far about a guess, and how many places of the grid are followed. */
-struct WideLimits
+struct CorrelativeLimits
 {
   double radius_m, angle_rad;
   std::size_t followed;
@@ -19,19 +19,20 @@ struct WideLimits
  * nothing, found by trying a grid of them: where lines are few or short they vote for nothing, and
  * a scanner that moved by metres between two scans shares few of them. Coarse to fine: the best
  * poses of the grid are moved by ever smaller steps to where more rays lie on surfaces. */
-class WideSearch
+class CorrelativeSearch
 {
  public:
   /** Replaces the hypotheses by these starts, those that explain most first; of those that lead to
    * one place only the best. */
-  void propose(const ScanScores& scores, const Pose2& guess_T_ref_cur, const WideLimits& limits,
-               std::vector<Hypothesis>& hypotheses);
+  void propose(const ScanScores& scores, const Pose2& guess_T_ref_cur,
+               const CorrelativeLimits& limits, std::vector<Hypothesis>& hypotheses);
 
   /** Takes the memory of a search, so that none of this size takes more. */
   void reserve(double radius_m, double angle_rad);
 
  private:
-  void scoreGrid(const ScanScores& scores, const Pose2& guess_T_ref_cur, const WideLimits& limits);
+  void scoreGrid(const ScanScores& scores, const Pose2& guess_T_ref_cur,
+                 const CorrelativeLimits& limits);
   void climb(const ScanScores& scores);
 
   std::vector<Hypothesis> places_;

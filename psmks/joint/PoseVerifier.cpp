@@ -1,10 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/geometry/ChiSquared.h>
-#include <psmks/joint/PoseJudge.h>
+#include <psmks/joint/PoseVerifier.h>
 
 namespace psmks
 {
-bool PoseJudge::isConvincing(const RefinedPose& pose) const
+bool PoseVerifier::isConvincing(const RefinedPose& pose) const
 {
   const JointOptions& options = match_.options;
   const double enough =
@@ -13,58 +13,58 @@ bool PoseJudge::isConvincing(const RefinedPose& pose) const
          (match_.guessPrior || isPositionFixed(pose));
 }
 
-bool PoseJudge::isDoubtful(const RefinedPose& pose) const
+bool PoseVerifier::isDoubtful(const RefinedPose& pose) const
 {
   return !isAcceptable(pose) || (!explainsMost(pose) && pairsFewRays(pose));
 }
 
-bool PoseJudge::isBeyondDoubt(const RefinedPose& pose) const
+bool PoseVerifier::isBeyondDoubt(const RefinedPose& pose) const
 {
   return explainsMost(pose) && isHeldByLines(pose) && !pairsFewRays(pose);
 }
 
-bool PoseJudge::pairsFewRays(const RefinedPose& pose) const
+bool PoseVerifier::pairsFewRays(const RefinedPose& pose) const
 {
   constexpr double kFew = 0.35;
   return !match_.pairsMoreThan(kFew, pose);
 }
 
-bool PoseJudge::mayBeFarOff(const RefinedPose& pose) const
+bool PoseVerifier::mayBeFarOff(const RefinedPose& pose) const
 {
   return !explainsMost(pose) || !isPositionFixed(pose);
 }
 
-bool PoseJudge::explainsMost(const RefinedPose& pose) const
+bool PoseVerifier::explainsMost(const RefinedPose& pose) const
 {
   constexpr double kMostRays = 0.87;
   return pose.score >= kMostRays;
 }
 
-bool PoseJudge::isAcceptable(const RefinedPose& pose) const
+bool PoseVerifier::isAcceptable(const RefinedPose& pose) const
 {
   constexpr double kMoreToContradict = 0.1;  // a measured guess
   return pose.score >=
          match_.options.acceptScore + (contradictsGuess(pose.T_ref_cur) ? kMoreToContradict : 0);
 }
 
-double PoseJudge::merit(const RefinedPose& pose) const
+double PoseVerifier::rankingScore(const RefinedPose& pose) const
 {
   constexpr double kSliding = 0.02;
   return pose.score - (isPositionFixed(pose) ? 0 : kSliding);
 }
 
-bool PoseJudge::isHeldByLines(const RefinedPose& pose) const
+bool PoseVerifier::isHeldByLines(const RefinedPose& pose) const
 {
   constexpr double kFewestHeld = 0.5;
   return pose.associations >= kFewestHeld * pose.inlierRays;
 }
 
-bool PoseJudge::isPositionFixed(const RefinedPose& pose) const
+bool PoseVerifier::isPositionFixed(const RefinedPose& pose) const
 {
   return pose.observability.weakSigma_m <= match_.weakDirectionSigma_m();
 }
 
-bool PoseJudge::isWeaklyHeld(const RefinedPose& pose) const
+bool PoseVerifier::isWeaklyHeld(const RefinedPose& pose) const
 {
   // Two rays on a wall ahead, one of each scan, know the distance to sqrt(2) sigma: as well as this
   // by eight such pairs.
@@ -72,23 +72,23 @@ bool PoseJudge::isWeaklyHeld(const RefinedPose& pose) const
   return pose.observability.weakSigma_m > kFewRays * match_.rangeSigma_m;
 }
 
-bool PoseJudge::hasFewStraightLines(const RefinedPose& pose) const
+bool PoseVerifier::hasFewStraightLines(const RefinedPose& pose) const
 {
   constexpr double kWellKnown_rad = degToRad(0.25);
   return pose.angleVariance_rad2 >= kWellKnown_rad * kWellKnown_rad;
 }
 
-bool PoseJudge::agreesWithGuess(const Pose2& T_ref_cur) const
+bool PoseVerifier::agreesWithGuess(const Pose2& T_ref_cur) const
 {
   return match_.guessPrior && chi2FromGuess(T_ref_cur) <= kChi2At95With3Dof;
 }
 
-bool PoseJudge::contradictsGuess(const Pose2& T_ref_cur) const
+bool PoseVerifier::contradictsGuess(const Pose2& T_ref_cur) const
 {
   return match_.guessPrior && chi2FromGuess(T_ref_cur) > kChi2At999With3Dof;
 }
 
-double PoseJudge::chi2FromGuess(const Pose2& T_ref_cur) const
+double PoseVerifier::chi2FromGuess(const Pose2& T_ref_cur) const
 {
   const Pose2 &a = T_ref_cur, &b = match_.guess.T_ref_cur;
   const Eigen::Vector3d apart(a.x_m - b.x_m, a.y_m - b.y_m, wrapAngle(a.phi_rad - b.phi_rad));

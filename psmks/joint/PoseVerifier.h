@@ -6,10 +6,10 @@
 namespace psmks
 {
 /** Tells how far a refined pose may be trusted. */
-class PoseJudge
+class PoseVerifier
 {
  public:
-  explicit PoseJudge(const JointMatch& match) : match_(match) {}
+  explicit PoseVerifier(const JointMatch& match) : match_(match) {}
 
   /** Whether a pose leaves no doubt: it has settled, its score is high, and lines hold it in place
    * where rays lie on surfaces. A pose half a degree off can still have its rays within the
@@ -34,7 +34,7 @@ class PoseJudge
 
   /** What poses are compared by. Along a wall poses explain the scans alike wherever they are, but
    * for a door jamb: one that has found it is worth more than one that slides. */
-  double merit(const RefinedPose& pose) const;
+  double rankingScore(const RefinedPose& pose) const;
 
   /** Whether of the rays that lie on surfaces enough are associated. */
   bool isHeldByLines(const RefinedPose& pose) const;

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/joint/PlacesAlong.h>
+#include <psmks/joint/WeakDirectionSearch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +12,17 @@ constexpr double kStep_m = 0.1;
 
 int stepsWithin(double reach_m) { return static_cast<int>(reach_m / kStep_m); }
 
-/** The promise of a place, or of the heading beside its own that promises clearly more. */
-Hypothesis bestHeading(const StartPromise& promise, const Pose2& T_ref_cur, double turn_rad)
+/** The hypothesisScore of a place, or of the heading beside its own that promises clearly more. */
+Hypothesis bestHeading(const HypothesisScore& hypothesisScore, const Pose2& T_ref_cur,
+                       double turn_rad)
 {
   constexpr double kClearlyMore = 0.01;
-  Hypothesis best{T_ref_cur, 0, promise.of(T_ref_cur)};
+  Hypothesis best{T_ref_cur, 0, hypothesisScore.of(T_ref_cur)};
   for (const double by_rad : {-turn_rad, turn_rad})
   {
     Pose2 turned = T_ref_cur;
     turned.phi_rad = wrapAngle(T_ref_cur.phi_rad + by_rad);
-    const double score = promise.of(turned);
+    const double score = hypothesisScore.of(turned);
     if (score > best.score + kClearlyMore) best = {turned, 0, score};
   }
   return best;
@@ -49,7 +50,7 @@ void keepPeaks(const AlongLimits& limits, std::vector<Hypothesis>& row)
 }
 }  // namespace
 
-void findPlacesAlong(const StartPromise& promise, const Pose2& T_ref_cur,
+void findPlacesAlong(const HypothesisScore& hypothesisScore, const Pose2& T_ref_cur,
                      const Eigen::Vector2d& direction, const AlongLimits& limits,
                      std::vector<Hypothesis>& places)
 {
@@ -63,8 +64,8 @@ void findPlacesAlong(const StartPromise& promise, const Pose2& T_ref_cur,
     const Pose2 place{T_ref_cur.x_m + along_m * direction.x(),
                       T_ref_cur.y_m + along_m * direction.y(), T_ref_cur.phi_rad};
     const bool isTurned = limits.turn_rad > 0 && std::abs(along_m) > kFar_m;
-    places.push_back(isTurned ? bestHeading(promise, place, limits.turn_rad)
-                              : Hypothesis{place, 0, promise.of(place)});
+    places.push_back(isTurned ? bestHeading(hypothesisScore, place, limits.turn_rad)
+                              : Hypothesis{place, 0, hypothesisScore.of(place)});
     const bool isKnown = std::abs(k) <= 1;
     places.back().votes = isKnown ? 0 : 1;
   }

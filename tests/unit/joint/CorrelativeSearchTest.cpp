@@ -20,7 +20,7 @@ MatchResult matchFar(const MatcherOptions& options)
 }
 }  // namespace
 
-TEST(WideSearch, FindsWhatIsFartherThanTheSearchAboutTheGuess)
+TEST(CorrelativeSearch, FindsWhatIsFartherThanTheSearchAboutTheGuess)
 {
   const MatchResult result = matchFar({});
   ASSERT_TRUE(result.usable()) << result.report();
@@ -28,7 +28,7 @@ TEST(WideSearch, FindsWhatIsFartherThanTheSearchAboutTheGuess)
   EXPECT_LT(std::abs(wrapAngle(result.T_ref_cur.phi_rad - kFar.phi_rad)), degToRad(0.2));
 }
 
-TEST(WideSearch, IsSwitchedOffByARadiusOfZero)
+TEST(CorrelativeSearch, IsSwitchedOffByARadiusOfZero)
 {
   MatcherOptions options;
   options.joint.wideRadius_m = 0;
@@ -38,7 +38,7 @@ TEST(WideSearch, IsSwitchedOffByARadiusOfZero)
       << result.report();
 }
 
-TEST(WideSearch, FindsTheRobotWhereItsWheelsSlipped)
+TEST(CorrelativeSearch, FindsTheRobotWhereItsWheelsSlipped)
 {
   // The wheels say that it stood still, to 3 cm and 2 degrees; it was pushed about.
   const Pose2 pushed{0.4, 0.3, degToRad(75)};

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/joint/WideSearch.h>
+#include <psmks/joint/CorrelativeSearch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +52,9 @@ void step(const ScanScores& scores, const Fineness& fine, Hypothesis& place)
 }
 }  // namespace
 
-void WideSearch::propose(const ScanScores& scores, const Pose2& guess_T_ref_cur,
-                         const WideLimits& limits, std::vector<Hypothesis>& hypotheses)
+void CorrelativeSearch::propose(const ScanScores& scores, const Pose2& guess_T_ref_cur,
+                                const CorrelativeLimits& limits,
+                                std::vector<Hypothesis>& hypotheses)
 {
   scoreGrid(scores, guess_T_ref_cur, limits);
   keepBest(limits.followed, places_);
@@ -70,15 +71,15 @@ void WideSearch::propose(const ScanScores& scores, const Pose2& guess_T_ref_cur,
   }
 }
 
-void WideSearch::reserve(double radius_m, double angle_rad)
+void CorrelativeSearch::reserve(double radius_m, double angle_rad)
 {
   const auto across = static_cast<std::size_t>(2 * radius_m / kGrid.step_m) + 1;
   const auto headings = static_cast<std::size_t>(2 * angle_rad / kGrid.step_rad) + 1;
   places_.reserve(across * across * headings);
 }
 
-void WideSearch::scoreGrid(const ScanScores& scores, const Pose2& guess_T_ref_cur,
-                           const WideLimits& limits)
+void CorrelativeSearch::scoreGrid(const ScanScores& scores, const Pose2& guess_T_ref_cur,
+                                  const CorrelativeLimits& limits)
 {
   const int moves = static_cast<int>(limits.radius_m / kGrid.step_m);
   const int turns = static_cast<int>(limits.angle_rad / kGrid.step_rad);
@@ -95,7 +96,7 @@ void WideSearch::scoreGrid(const ScanScores& scores, const Pose2& guess_T_ref_cu
       }
 }
 
-void WideSearch::climb(const ScanScores& scores)
+void CorrelativeSearch::climb(const ScanScores& scores)
 {
   for (const Fineness& fine : kFiner)
     for (Hypothesis& place : places_) step(scores, fine, place);

@@ -1,17 +1,17 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/joint/StartPromise.h>
+#include <psmks/joint/HypothesisScore.h>
 
 #include <cmath>
 
 namespace psmks
 {
-StartPromise::StartPromise(const ScanScores& scores, const Pose2& guess_T_ref_cur,
-                           const JointOptions& options)
+HypothesisScore::HypothesisScore(const ScanScores& scores, const Pose2& guess_T_ref_cur,
+                                 const JointOptions& options)
     : scores_(scores), options_(options), T_guess_ref_(guess_T_ref_cur.inverse())
 {
 }
 
-double StartPromise::of(const Pose2& T_ref_cur) const
+double HypothesisScore::of(const Pose2& T_ref_cur) const
 {
   constexpr double kAtLimits = 0.05;  // the score counts this much less at the search's limits
   const Pose2 T_guess_start = T_guess_ref_ * T_ref_cur;
