@@ -114,7 +114,7 @@ LogRun runLog(const Log& log, const std::string& matcher, const std::string& ref
                             options.odometry);
   Stopwatch stopwatch;
   for (const auto& scan : log.scans) builder.add(scan.scan, scan.T_robot_sensor, scan.odometry);
-  builder.settle();
+  builder.optimise();
 
   LogRun run;
   run.matcher = matcher;

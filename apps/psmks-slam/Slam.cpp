@@ -109,7 +109,7 @@ void Slam::buildTrajectory()
     progress.show(reader_->shareRead());
   }
   times_.reading_s += watch_.lap_s();
-  builder_.settle();
+  builder_.optimise();
   divideBuildingTime();
 }
 

@@ -15,9 +15,9 @@ double HypothesisScore::of(const Pose2& T_ref_cur) const
 {
   constexpr double kAtLimits = 0.05;  // the score counts this much less at the search's limits
   const Pose2 T_guess_start = T_guess_ref_ * T_ref_cur;
-  const double remoteness = (std::abs(T_guess_start.phi_rad) / options_.searchAngle_rad +
-                             T_guess_start.translation().norm() / options_.searchRadius_m) /
-                            2;
-  return scores_.roughScore(T_ref_cur) - kAtLimits * remoteness;
+  const double normalizedDistance = (std::abs(T_guess_start.phi_rad) / options_.searchAngle_rad +
+                                     T_guess_start.translation().norm() / options_.searchRadius_m) /
+                                    2;
+  return scores_.roughScore(T_ref_cur) - kAtLimits * normalizedDistance;
 }
 }  // namespace psmks

@@ -13,8 +13,8 @@ namespace
 {
 // Links that contradict the poses by less wait for the next time, or for the end; by more, all
 // poses are set anew, else only those of the last keyframes.
-constexpr double kSurprise_m = 0.01;
-constexpr double kGrossSurprise_m = 0.05;
+constexpr double kSmallInnovation_m = 0.01;
+constexpr double kGrossInnovation_m = 0.05;
 constexpr double kLever_m = 2;  //!< what a heading error moves is this far away
 constexpr std::size_t kRecentNodes = 30;
 
@@ -30,13 +30,13 @@ Eigen::Matrix3d informationOf(const ReferenceMatch& link)
 }
 
 /** An old keyframe that may be near, if the way since has drifted. */
-struct Lost
+struct LoopCandidate
 {
   std::size_t keyframe;
   Pose2 expected_T_keyframe_cur;
   Drift drift;
 
-  double remoteness() const { return expected_T_keyframe_cur.translation().norm(); }
+  double normalizedDistance() const { return expected_T_keyframe_cur.translation().norm(); }
 };
 
 // So many are looked for at most: a search takes about as long as a match.
@@ -60,32 +60,36 @@ std::vector<KeyframeMap::View> KeyframeMap::around(const std::vector<PosedScan>&
       views.push_back({keyframes_[k].scan, T_keyframe_cur});
   }
   const auto isNearer = [this](const View& a, const View& b)
-  { return policy_.remoteness(a.T_keyframe_cur) < policy_.remoteness(b.T_keyframe_cur); };
+  {
+    return policy_.normalizedDistance(a.T_keyframe_cur) <
+           policy_.normalizedDistance(b.T_keyframe_cur);
+  };
   std::sort(views.begin(), views.end(), isNearer);
   return views;
 }
 
-std::vector<KeyframeMap::View> KeyframeMap::remembered(const std::vector<PosedScan>& scans,
-                                                       const PosedScan& current,
-                                                       std::size_t reference) const
+std::vector<KeyframeMap::View> KeyframeMap::loopCandidates(const std::vector<PosedScan>& scans,
+                                                           const PosedScan& current,
+                                                           std::size_t reference) const
 {
   const auto start = nodeOf(reference);
   if (!start) return {};
   const std::vector<double> distances_m = graphDistances_m(graph_, *start);
-  std::vector<Lost> lost;
+  std::vector<LoopCandidate> lost;
   for (const Keyframe& keyframe : keyframes_)
   {
     const Pose2 expected = seenFrom(scans[keyframe.scan], current);
     const Drift drift = policy_.driftAfter(distances_m[keyframe.node]);
-    if (policy_.mayBeNear(expected, drift)) lost.push_back({keyframe.scan, expected, drift});
+    if (policy_.isLoopCandidate(expected, drift)) lost.push_back({keyframe.scan, expected, drift});
   }
   const std::size_t searched = std::min(kMostSearched, lost.size());
   std::partial_sort(lost.begin(), lost.begin() + static_cast<std::ptrdiff_t>(searched), lost.end(),
-                    [](const Lost& a, const Lost& b) { return a.remoteness() < b.remoteness(); });
+                    [](const LoopCandidate& a, const LoopCandidate& b)
+                    { return a.normalizedDistance() < b.normalizedDistance(); });
   lost.resize(searched);
 
   std::vector<std::pair<double, View>> found;
-  for (const Lost& old : lost)
+  for (const LoopCandidate& old : lost)
   {
     const SharedPlace place =
         findSharedPlace(scans[old.keyframe], current, old.expected_T_keyframe_cur, old.drift);
@@ -103,17 +107,17 @@ std::optional<std::size_t> KeyframeMap::nearest(const std::vector<PosedScan>& sc
                                                 const PosedScan& current) const
 {
   std::optional<std::size_t> best;
-  double bestRemoteness = 0;
+  double bestNormalizedDistance = 0;
   for (const Keyframe& keyframe : keyframes_)
   {
     const PosedScan& reference = scans[keyframe.scan];
     const Pose2 T_keyframe_cur = seenFrom(reference, current);
     if (!policy_.isCandidate(T_keyframe_cur)) continue;
-    const double remoteness = policy_.remoteness(T_keyframe_cur);
-    if (best && remoteness >= bestRemoteness) continue;
+    const double normalizedDistance = policy_.normalizedDistance(T_keyframe_cur);
+    if (best && normalizedDistance >= bestNormalizedDistance) continue;
     if (!isSeen(reference, current)) continue;
     best = keyframe.scan;
-    bestRemoteness = remoteness;
+    bestNormalizedDistance = normalizedDistance;
   }
   return best;
 }
@@ -146,23 +150,24 @@ void KeyframeMap::add(std::vector<PosedScan>& scans, std::size_t index,
 {
   const std::size_t node = graph_.add(scans[index].T_world_robot.pose);
   keyframes_.push_back({index, node});
-  double surprise_m = 0;
+  double linkInnovation_m = 0;
   for (const ReferenceMatch& link : links)
   {
     const auto from = nodeOf(link.reference);
     if (!from) continue;
     const PoseLink added{*from, node, link.T_ref_cur.pose, informationOf(link)};
     const Eigen::Vector3d error = linkError(added, graph_.poses()[*from], graph_.poses()[node]);
-    surprise_m = std::max(surprise_m, error.head<2>().norm() + kLever_m * std::abs(error.z()));
+    linkInnovation_m =
+        std::max(linkInnovation_m, error.head<2>().norm() + kLever_m * std::abs(error.z()));
     graph_.add(added);
   }
-  if (surprise_m > kGrossSurprise_m)
+  if (linkInnovation_m > kGrossInnovation_m)
     optimise(scans, 0);
-  else if (surprise_m > kSurprise_m)
+  else if (linkInnovation_m > kSmallInnovation_m)
     optimise(scans, node > kRecentNodes ? node - kRecentNodes : 0);
 }
 
-void KeyframeMap::settle(std::vector<PosedScan>& scans) { optimise(scans, 0); }
+void KeyframeMap::optimise(std::vector<PosedScan>& scans) { optimise(scans, 0); }
 
 void KeyframeMap::optimise(std::vector<PosedScan>& scans, std::size_t firstFree)
 {

@@ -41,8 +41,8 @@ class KeyframeMap
    * most.
    *  @param reference the keyframe that the scan hangs on: the way is that of the links from there
    */
-  std::vector<View> remembered(const std::vector<PosedScan>& scans, const PosedScan& current,
-                               std::size_t reference) const;
+  std::vector<View> loopCandidates(const std::vector<PosedScan>& scans, const PosedScan& current,
+                                   std::size_t reference) const;
 
   /** Whether a scan shows nothing that a keyframe near it has not shown. */
   bool covers(const std::vector<PosedScan>& scans, const PosedScan& current) const;
@@ -53,7 +53,7 @@ class KeyframeMap
            const std::vector<ReferenceMatch>& links);
 
   /** Sets the poses of all keyframes to what all links say together. */
-  void settle(std::vector<PosedScan>& scans);
+  void optimise(std::vector<PosedScan>& scans);
 
  private:
   struct Keyframe

@@ -90,7 +90,7 @@ bool ReferencePolicy::isCandidate(const Pose2& T_keyframe_cur) const
   return !isBeyond(T_keyframe_cur, options_.mapDistance_m, options_.mapAngle_rad);
 }
 
-double ReferencePolicy::remoteness(const Pose2& T_keyframe_cur) const
+double ReferencePolicy::normalizedDistance(const Pose2& T_keyframe_cur) const
 {
   return T_keyframe_cur.translation().norm() / options_.mapDistance_m +
          std::abs(T_keyframe_cur.phi_rad) / options_.mapAngle_rad;
@@ -107,7 +107,7 @@ Drift ReferencePolicy::driftAfter(double way_m) const
   return {options_.mapDriftShare * way_m, options_.mapDriftPerMetre_rad * way_m};
 }
 
-bool ReferencePolicy::mayBeNear(const Pose2& T_keyframe_cur, const Drift& drift) const
+bool ReferencePolicy::isLoopCandidate(const Pose2& T_keyframe_cur, const Drift& drift) const
 {
   constexpr double kKnown_m = 0.3;  // what overlap() forgives
   constexpr double kLost_m = 6;     // a search has to end somewhere

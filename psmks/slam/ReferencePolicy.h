@@ -80,7 +80,7 @@ class ReferencePolicy
   bool isCandidate(const Pose2& T_keyframe_cur) const;
 
   /** Map: how far a candidate is, 0 = at the same place, 2 = at the limits of place and heading. */
-  double remoteness(const Pose2& T_keyframe_cur) const;
+  double normalizedDistance(const Pose2& T_keyframe_cur) const;
 
   /** Map: whether a match is good enough to tie two keyframes: nothing forces it to be used. */
   bool isLink(const MatchResult& match) const
@@ -89,7 +89,7 @@ class ReferencePolicy
   }
 
   /** Map: how many matches tie a new keyframe to others besides the one that made it. */
-  std::size_t mostLinks() const { return static_cast<std::size_t>(options_.mapLinks); }
+  std::size_t maxLinks() const { return static_cast<std::size_t>(options_.mapLinks); }
 
   /** Map: whether a keyframe makes another one at this pose of a scan unnecessary. */
   bool isCovered(const Pose2& T_keyframe_cur) const;
@@ -111,7 +111,7 @@ class ReferencePolicy
 
   /** Map: whether a keyframe may be a candidate for a scan, its place being known so badly that it
    * has to be searched for. */
-  bool mayBeNear(const Pose2& T_keyframe_cur, const Drift& drift) const;
+  bool isLoopCandidate(const Pose2& T_keyframe_cur, const Drift& drift) const;
 
   /** Whether a scan becomes the reference after its match.
    *  @param failuresInARow matches that failed against this reference, this one included */

@@ -71,9 +71,9 @@ bool TrajectoryBuilder::isNewReference() const
   return policy_.isReplaced(current.matches.back().result, T_ref_last_.pose, failuresInARow_);
 }
 
-void TrajectoryBuilder::settle()
+void TrajectoryBuilder::optimise()
 {
-  if (policy_.tiesReferences()) map_.settle(scans_);
+  if (policy_.tiesReferences()) map_.optimise(scans_);
   for (std::size_t s = 0; s < scans_.size(); ++s)
   {
     PosedScan& scan = scans_[s];
@@ -120,7 +120,7 @@ UncertainPose TrajectoryBuilder::matched(PosedScan& current, const UncertainPose
 void TrajectoryBuilder::retry(PosedScan& current, const UncertainPose& motion)
 {
   matchToLast(current, motion);
-  if (!current.isMatched()) matchWithoutFaith(current, motion);
+  if (!current.isMatched()) matchWithInflatedPrior(current, motion);
 }
 
 void TrajectoryBuilder::matchToLast(PosedScan& current, const UncertainPose& motion)
@@ -141,7 +141,7 @@ void TrajectoryBuilder::matchToLast(PosedScan& current, const UncertainPose& mot
 }
 
 /** The wheels may have slipped, or turned backwards unnoticed. */
-void TrajectoryBuilder::matchWithoutFaith(PosedScan& current, const UncertainPose& motion)
+void TrajectoryBuilder::matchWithInflatedPrior(PosedScan& current, const UncertainPose& motion)
 {
   const UncertainPose doubted{motion.pose,
                               motion.covariance + unknownMotionCovariance(odometryOptions_)};
@@ -191,7 +191,7 @@ void TrajectoryBuilder::joinMap(std::size_t index)
   if (index > 0)
   {
     links.push_back({reference_, T_ref_last_, {}, 0});
-    keyframe.links = confirmed(keyframe, matchesAround(keyframe));
+    keyframe.links = consistentLinks(keyframe, matchesAround(keyframe));
     links.insert(links.end(), keyframe.links.begin(), keyframe.links.end());
   }
   map_.add(scans_, index, links);
@@ -214,14 +214,14 @@ std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(const PosedScan& cu
       if (policy_.isLink(candidate.result)) found.push_back(candidate);
     }
   };
-  tie(map_.around(scans_, current), policy_.mostLinks());
-  if (policy_.usesMap()) tie(map_.remembered(scans_, current, reference_), policy_.mostLinks());
+  tie(map_.around(scans_, current), policy_.maxLinks());
+  if (policy_.usesMap()) tie(map_.loopCandidates(scans_, current, reference_), policy_.maxLinks());
   return found;
 }
 
 /** A match counts where it agrees with the map, or with another match: a loop that closes moves the
  * scan against all old keyframes alike, a wrong match is alone. */
-std::vector<ReferenceMatch> TrajectoryBuilder::confirmed(
+std::vector<ReferenceMatch> TrajectoryBuilder::consistentLinks(
     const PosedScan& current, const std::vector<ReferenceMatch>& found) const
 {
   std::vector<Pose2> corrections;  // of the scan's pose, by each match
@@ -231,14 +231,14 @@ std::vector<ReferenceMatch> TrajectoryBuilder::confirmed(
         scans_[match.reference].T_world_robot.pose.inverse() * current.T_world_robot.pose;
     corrections.push_back(expected.inverse() * match.T_ref_cur.pose);
   }
-  std::vector<ReferenceMatch> confirmed;
+  std::vector<ReferenceMatch> consistent;
   for (std::size_t m = 0; m < found.size(); ++m)
   {
     const auto agrees = [&](const Pose2& other) { return isAlike(corrections[m], other); };
     const auto witnesses = std::count_if(corrections.begin(), corrections.end(), agrees);
-    if (agrees(Pose2()) || witnesses > 1) confirmed.push_back(found[m]);
+    if (agrees(Pose2()) || witnesses > 1) consistent.push_back(found[m]);
   }
-  return confirmed;
+  return consistent;
 }
 
 /** The way here and the way there may share errors; taken as independent they make the guess less

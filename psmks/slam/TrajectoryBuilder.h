@@ -36,7 +36,7 @@ class TrajectoryBuilder
 
   /** Moves every scan to where the reference it hangs on has come to be since: with a map, loops
    *  that closed later move what was driven before. */
-  void settle();
+  void optimise();
 
   /** All scans so far, in the order they came. */
   const std::vector<PosedScan>& scans() const { return scans_; }
@@ -48,7 +48,7 @@ class TrajectoryBuilder
                         const UncertainPose& guess);
   void retry(PosedScan& current, const UncertainPose& motion);
   void matchToLast(PosedScan& current, const UncertainPose& motion);
-  void matchWithoutFaith(PosedScan& current, const UncertainPose& motion);
+  void matchWithInflatedPrior(PosedScan& current, const UncertainPose& motion);
   UncertainPose measuredMotion(const std::optional<Pose2>& odometry) const;
   ReferenceMatch match(const PosedScan& current, std::size_t reference,
                        const UncertainPose& T_ref_cur, bool isTrial = false);
@@ -57,8 +57,8 @@ class TrajectoryBuilder
   void returnTo(std::size_t keyframe);
   void joinMap(std::size_t index);
   std::vector<ReferenceMatch> matchesAround(const PosedScan& current);
-  std::vector<ReferenceMatch> confirmed(const PosedScan& current,
-                                        const std::vector<ReferenceMatch>& found) const;
+  std::vector<ReferenceMatch> consistentLinks(const PosedScan& current,
+                                              const std::vector<ReferenceMatch>& found) const;
 
   std::unique_ptr<PairMatcher> matcher_;
   ReferencePolicy policy_;

@@ -52,7 +52,7 @@ void follow(const Recording& recording, TrajectoryBuilder& builder,
         builder.add(scans[s].simulated.scan, recording.T_robot_sensor, odometry);
     T_world_robot.push_back(T_world_start * posed.T_world_robot.pose);
   }
-  builder.settle();
+  builder.optimise();
 }
 
 /** What each scan hung on when it came. */

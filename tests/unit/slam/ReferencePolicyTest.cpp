@@ -97,10 +97,10 @@ TEST(ReferencePolicy, aKeyframeCoversWhatIsNearInPlaceAndHeading)
 
 TEST(ReferencePolicy, remotenessAddsPlaceAndHeading)
 {
-  EXPECT_EQ(mapPolicy().remoteness({}), 0);
-  EXPECT_NEAR(mapPolicy().remoteness({0, -4, 0}), 1, 1e-12);
-  EXPECT_NEAR(mapPolicy().remoteness({0, 0, degToRad(-60)}), 1, 1e-12);
-  EXPECT_NEAR(mapPolicy().remoteness({2.4, 3.2, degToRad(60)}), 2, 1e-12);
+  EXPECT_EQ(mapPolicy().normalizedDistance({}), 0);
+  EXPECT_NEAR(mapPolicy().normalizedDistance({0, -4, 0}), 1, 1e-12);
+  EXPECT_NEAR(mapPolicy().normalizedDistance({0, 0, degToRad(-60)}), 1, 1e-12);
+  EXPECT_NEAR(mapPolicy().normalizedDistance({2.4, 3.2, degToRad(60)}), 2, 1e-12);
 }
 
 TEST(ReferencePolicy, aKeyframeThatSawHalfOfAScanSawEnough)
@@ -168,17 +168,17 @@ TEST(ReferencePolicy, aPlaceIsSearchedForAsFarAsTheWayMayHaveDrifted)
   const Drift drift = policy.driftAfter(50);
   EXPECT_NEAR(drift.displacement_m, 1.5, 1e-12);
   EXPECT_NEAR(drift.rotation_rad, degToRad(5), 1e-12);
-  EXPECT_TRUE(policy.mayBeNear({2.4, 0, 0}, drift));
-  EXPECT_FALSE(policy.mayBeNear({2.6, 0, 0}, drift));
-  EXPECT_FALSE(policy.mayBeNear({0, 0, degToRad(36)}, drift));
-  EXPECT_FALSE(policy.mayBeNear({0, 0, 0}, policy.driftAfter(1)));  // is where it is expected
+  EXPECT_TRUE(policy.isLoopCandidate({2.4, 0, 0}, drift));
+  EXPECT_FALSE(policy.isLoopCandidate({2.6, 0, 0}, drift));
+  EXPECT_FALSE(policy.isLoopCandidate({0, 0, degToRad(36)}, drift));
+  EXPECT_FALSE(policy.isLoopCandidate({0, 0, 0}, policy.driftAfter(1)));  // is where it is expected
 }
 
 TEST(ReferencePolicy, theNumberOfLinksIsAnOption)
 {
   ReferenceOptions options;
   options.mapLinks = 3;
-  EXPECT_EQ(ReferencePolicy(options).mostLinks(), 3U);
+  EXPECT_EQ(ReferencePolicy(options).maxLinks(), 3U);
 }
 }  // namespace
 }  // namespace psmks

@@ -391,7 +391,7 @@ TEST_F(MapLoop, settleMovesEarlierScansWithTheirReferences)
 {
   TrajectoryBuilder map = driven(ReferenceChoice::Map);
   const double before_m = meanErrorBetweenReferences_m(map);
-  map.settle();
+  map.optimise();
   EXPECT_LT(meanErrorBetweenReferences_m(map), 0.8 * before_m);
   for (const PosedScan& scan : map.scans())
   {
@@ -402,7 +402,7 @@ TEST_F(MapLoop, settleMovesEarlierScansWithTheirReferences)
 
   TrajectoryBuilder sequential = driven(ReferenceChoice::Sequential);
   const auto scans = sequential.scans();
-  sequential.settle();
+  sequential.optimise();
   for (std::size_t s = 0; s < scans.size(); ++s)
     EXPECT_TRUE(isNearly(sequential.scans()[s].T_world_robot.pose, scans[s].T_world_robot.pose,
                          1e-12, 1e-12));
