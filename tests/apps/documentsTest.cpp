@@ -57,7 +57,7 @@ std::string found(const std::string& path, const std::string& pattern)
 }
 }  // namespace
 
-TEST(Config, isWhatTheProgramPrints)
+TEST(Config, IsWhatTheProgramPrints)
 {
   const test::ScratchFolder folder;
   const ProgramRun run = runProgram(quoted(kSource + "/scripts/update-config") + " " +
@@ -67,7 +67,7 @@ TEST(Config, isWhatTheProgramPrints)
     EXPECT_EQ(source(path), fileText(folder.path(path))) << "run scripts/update-config";
 }
 
-TEST(Config, loadsIntoTheMatcher)
+TEST(Config, LoadsIntoTheMatcher)
 {
   ScanMatcherOptions paper;
   paper.matcher = MatcherOptions::paperScheme();
@@ -75,7 +75,7 @@ TEST(Config, loadsIntoTheMatcher)
   EXPECT_EQ(dumped(loaded("config/psmks-paper.ini")), dumped(paper));
 }
 
-TEST(SensorFiles, holdWhatTheirTableSays)
+TEST(SensorFiles, HoldWhatTheirTableSays)
 {
   struct Scanner
   {
@@ -104,7 +104,7 @@ TEST(SensorFiles, holdWhatTheirTableSays)
 }
 
 /** Defaults, --sensor-file, --config, --set: each overrides those before it. */
-TEST(SensorFiles, overrideDefaultsAndAreOverridden)
+TEST(SensorFiles, OverrideDefaultsAndAreOverridden)
 {
   const test::ScratchFolder folder;
   const std::string config = folder.path("over_sensor.ini");
@@ -128,20 +128,20 @@ TEST(SensorFiles, overrideDefaultsAndAreOverridden)
                  {"\nrange_sigma_m = 0.03\n", "\nmin_rays = 8\n"}));
 }
 
-TEST(SensorFiles, thatAreMissingAreAnErrorOfUse)
+TEST(SensorFiles, ThatAreMissingAreAnErrorOfUse)
 {
   const ProgramRun run = runProgram(quoted(PSMKS_SLAM) + " --print-config --sensor-file none.ini");
   EXPECT_EQ(run.exitCode, 1);
   EXPECT_TRUE(test::says(run.errors, {"none.ini"}));
 }
 
-TEST(Readme, showsTheExample)
+TEST(Readme, ShowsTheExample)
 {
   EXPECT_EQ(cppBlock(source("README.md")),
             withoutFirstLine(source("examples/match_two_scans.cpp")));
 }
 
-TEST(Readme, showsWhatTheExamplePrints)
+TEST(Readme, ShowsWhatTheExamplePrints)
 {
   const ProgramRun run = runProgram(quoted(PSMKS_EXAMPLE));
   EXPECT_EQ(run.exitCode, 0) << run.errors;
@@ -151,7 +151,7 @@ TEST(Readme, showsWhatTheExamplePrints)
 
 /** Rows of its table of options, "| `section.key` | default | allowed | meaning |", stand in the
  * full list as "| `key` | ...". */
-TEST(Readme, showsOptionsAsTheyAre)
+TEST(Readme, ShowsOptionsAsTheyAre)
 {
   const std::string readme = source("README.md"), options = source("docs/options.md");
   const std::regex row(R"(\n\| `([a-z]+)\.([a-z_]+)` (\|[^\n]*))");
@@ -162,7 +162,7 @@ TEST(Readme, showsOptionsAsTheyAre)
   EXPECT_GE(rows, 10);
 }
 
-TEST(Documents, linkToWhatExists)
+TEST(Documents, LinkToWhatExists)
 {
   const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
   for (const char* document : {"README.md", "CONTRIBUTING.md", "config/README.md",
@@ -176,7 +176,7 @@ TEST(Documents, linkToWhatExists)
   }
 }
 
-TEST(Documents, agreeOnTheVersion)
+TEST(Documents, AgreeOnTheVersion)
 {
   EXPECT_EQ(found("package.xml", "<version>(.*)</version>"), PSMKS_VERSION);
   EXPECT_EQ(found("CITATION.cff", "\nversion: (.*)"), PSMKS_VERSION);

@@ -18,7 +18,7 @@ class PsmksBenchmarkGrowth : public test::ProgramTest
 };
 }  // namespace
 
-TEST_F(PsmksBenchmarkGrowth, tellsTheTimeForEachNumberOfRaysAndHowItGrows)
+TEST_F(PsmksBenchmarkGrowth, TellsTheTimeForEachNumberOfRaysAndHowItGrows)
 {
   const ProgramRun done =
       run(kGrowth + "--rays 181,361 --matchers psmks,icp-classic --json t.json");
@@ -35,21 +35,21 @@ TEST_F(PsmksBenchmarkGrowth, tellsTheTimeForEachNumberOfRaysAndHowItGrows)
   }
 }
 
-TEST_F(PsmksBenchmarkGrowth, oneNumberOfRaysHasNoExponent)
+TEST_F(PsmksBenchmarkGrowth, OneNumberOfRaysHasNoExponent)
 {
   ASSERT_EQ(run(kGrowth + "--rays 91 --matchers guess --json one.json").exitCode, 0);
   const auto rows = nlohmann::json::parse(fileText(path("one.json"))).at("tables").at(0).at("rows");
   EXPECT_TRUE(rows[0].at("exponent").is_null());
 }
 
-TEST_F(PsmksBenchmarkGrowth, drawsAChart)
+TEST_F(PsmksBenchmarkGrowth, DrawsAChart)
 {
   if (!hasGnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   ASSERT_EQ(run(kGrowth + "--rays 91,181 --plot chart.svg").exitCode, 0);
   EXPECT_NE(fileText(path("chart.svg")).find("Time of a match"), std::string::npos);
 }
 
-TEST_F(PsmksBenchmarkGrowth, whatCannotBeAcceptedIsAUsageError)
+TEST_F(PsmksBenchmarkGrowth, WhatCannotBeAcceptedIsAUsageError)
 {
   const auto expectUsageError = [this](const std::string& flags, const std::string& word)
   {

@@ -36,7 +36,7 @@ class PsmksBenchmarkLogs : public BenchmarkOnLogs
 };
 }  // namespace
 
-TEST_F(PsmksBenchmarkLogs, everyMatcherRunsWithEveryReferenceAndTheOdometryOnce)
+TEST_F(PsmksBenchmarkLogs, EveryMatcherRunsWithEveryReferenceAndTheOdometryOnce)
 {
   const ProgramRun done = run(log("room") + " --matchers psmks,icp-classic,guess --repeats 2");
   ASSERT_EQ(done.exitCode, 0) << done.errors;
@@ -48,7 +48,7 @@ TEST_F(PsmksBenchmarkLogs, everyMatcherRunsWithEveryReferenceAndTheOdometryOnce)
   EXPECT_EQ(rows()[6].at("matcher"), "guess");
 }
 
-TEST_F(PsmksBenchmarkLogs, matchedScansLieSharperOnEachOtherThanTheOdometryLaysThem)
+TEST_F(PsmksBenchmarkLogs, MatchedScansLieSharperOnEachOtherThanTheOdometryLaysThem)
 {
   ASSERT_EQ(run(log("room") + " --matchers psmks,guess --references keyframe").exitCode, 0);
   EXPECT_LT(rows()[0].at("occupied_cells_5cm"), rows()[1].at("occupied_cells_5cm"));
@@ -58,7 +58,7 @@ TEST_F(PsmksBenchmarkLogs, matchedScansLieSharperOnEachOtherThanTheOdometryLaysT
   EXPECT_TRUE(rows()[0].at("error_mean_m").is_null()) << "there is no ground truth";
 }
 
-TEST_F(PsmksBenchmarkLogs, theGroundTruthBesideTheLogIsFound)
+TEST_F(PsmksBenchmarkLogs, TheGroundTruthBesideTheLogIsFound)
 {
   for (const char* name : {"room.gt.tum", "room.GT.txt", "room.rawlog.GT.txt"})
   {
@@ -70,7 +70,7 @@ TEST_F(PsmksBenchmarkLogs, theGroundTruthBesideTheLogIsFound)
   }
 }
 
-TEST_F(PsmksBenchmarkLogs, theGroundTruthOfTheFlagCountsBeforeTheOneBesideTheLog)
+TEST_F(PsmksBenchmarkLogs, TheGroundTruthOfTheFlagCountsBeforeTheOneBesideTheLog)
 {
   writeTruth("room.gt.tum");
   writeTruth("wrong.tum", 0.5);
@@ -81,7 +81,7 @@ TEST_F(PsmksBenchmarkLogs, theGroundTruthOfTheFlagCountsBeforeTheOneBesideTheLog
   EXPECT_NEAR(rows()[0].at("error_max_m"), 0.5, 0.02);
 }
 
-TEST_F(PsmksBenchmarkLogs, optionsReachTheMatcherAndTheChoiceOfReferences)
+TEST_F(PsmksBenchmarkLogs, OptionsReachTheMatcherAndTheChoiceOfReferences)
 {
   const std::string flags = " --matchers psmks --references sequential --set ";
   EXPECT_EQ(run(log("room") + flags + "preprocessing.max_range_m=0.1").exitCode, 4)
@@ -90,13 +90,13 @@ TEST_F(PsmksBenchmarkLogs, optionsReachTheMatcherAndTheChoiceOfReferences)
   EXPECT_LT(rows()[0].at("matches"), kScans - 1) << "most are nearer than the trigger";
 }
 
-TEST_F(PsmksBenchmarkLogs, aLogIsCutAtTheScansAskedFor)
+TEST_F(PsmksBenchmarkLogs, ALogIsCutAtTheScansAskedFor)
 {
   ASSERT_EQ(run(log("room") + " --matchers guess --max-scans 3").exitCode, 0);
   EXPECT_EQ(rows()[0].at("scans"), 3);
 }
 
-TEST_F(PsmksBenchmarkLogs, everyLogHasItsTableAndAMissingOneIsToldAtTheEnd)
+TEST_F(PsmksBenchmarkLogs, EveryLogHasItsTableAndAMissingOneIsToldAtTheEnd)
 {
   writeGzipped(asFrames(RoomLog(3)), log("short"));
   const ProgramRun done =
@@ -108,7 +108,7 @@ TEST_F(PsmksBenchmarkLogs, everyLogHasItsTableAndAMissingOneIsToldAtTheEnd)
   EXPECT_EQ(rows(1)[0].at("scans"), 3);
 }
 
-TEST_F(PsmksBenchmarkLogs, aLogWithoutScansIsNothingToDo)
+TEST_F(PsmksBenchmarkLogs, ALogWithoutScansIsNothingToDo)
 {
   writeGzipped({makeOdometry(log_.steps.front())}, log("blind"));
   const ProgramRun done = run(log("blind") + " --matchers guess");
@@ -116,14 +116,14 @@ TEST_F(PsmksBenchmarkLogs, aLogWithoutScansIsNothingToDo)
   EXPECT_NE(done.errors.find("holds no usable 2D laser scan"), std::string::npos) << done.errors;
 }
 
-TEST_F(PsmksBenchmarkLogs, theFirstScansCanBeLeftOut)
+TEST_F(PsmksBenchmarkLogs, TheFirstScansCanBeLeftOut)
 {
   ASSERT_EQ(run(log("room") + " --matchers guess --skip-scans 2 --max-scans 3").exitCode, 0);
   EXPECT_EQ(rows()[0].at("scans"), 3);
   EXPECT_NEAR(rows()[0].at("path_m"), 0.21, 1e-6) << "the odometry before the first scan is none";
 }
 
-TEST_F(PsmksBenchmarkLogs, theRelationsBesideTheLogAreFound)
+TEST_F(PsmksBenchmarkLogs, TheRelationsBesideTheLogAreFound)
 {
   writeRelations({{0, 1}, {2, 3}});
   ASSERT_EQ(run(log("room") + " --matchers psmks,guess --references map").exitCode, 0);
@@ -136,7 +136,7 @@ TEST_F(PsmksBenchmarkLogs, theRelationsBesideTheLogAreFound)
   EXPECT_EQ(rows()[1].at("short_relations_mean_m"), rows()[1].at("relations_mean_m"));
 }
 
-TEST_F(PsmksBenchmarkLogs, relationsOverLongTimesAreNotAmongTheShortOnes)
+TEST_F(PsmksBenchmarkLogs, RelationsOverLongTimesAreNotAmongTheShortOnes)
 {
   writeRelations({{0, 1}});
   std::ofstream(path("room.relations"), std::ios::app)
@@ -147,7 +147,7 @@ TEST_F(PsmksBenchmarkLogs, relationsOverLongTimesAreNotAmongTheShortOnes)
   EXPECT_NEAR(rows()[0].at("relations_mean_m"), 0.005, 1e-6) << "there is no scan at that time";
 }
 
-TEST_F(PsmksBenchmarkLogs, jumpsAreCountedWhereATruthIsKnown)
+TEST_F(PsmksBenchmarkLogs, JumpsAreCountedWhereATruthIsKnown)
 {
   const std::string flags = log("room") + " --matchers psmks,guess --references sequential";
   ASSERT_EQ(run(flags).exitCode, 0);
@@ -161,7 +161,7 @@ TEST_F(PsmksBenchmarkLogs, jumpsAreCountedWhereATruthIsKnown)
   for (const auto& row : rows()) EXPECT_EQ(row.at("jumps"), 0) << row;
 }
 
-TEST_F(PsmksBenchmarkLogs, aCarmenLogIsReadAsWell)
+TEST_F(PsmksBenchmarkLogs, ACarmenLogIsReadAsWell)
 {
   std::ofstream(path("corner.log"))
       << "FLASER 5 2 2.8 2 2.8 2 0 0 0 0 0 0 10.0 host 10.0\n"
@@ -171,7 +171,7 @@ TEST_F(PsmksBenchmarkLogs, aCarmenLogIsReadAsWell)
   EXPECT_EQ(rows()[0].at("scans"), 2);
 }
 
-TEST_F(PsmksBenchmarkLogs, theMotionsFurthestFromTheTruthAreDrawn)
+TEST_F(PsmksBenchmarkLogs, TheMotionsFurthestFromTheTruthAreDrawn)
 {
   writeTruth("room.gt.tum", 0.4);
   const std::string flags =
@@ -188,7 +188,7 @@ TEST_F(PsmksBenchmarkLogs, theMotionsFurthestFromTheTruthAreDrawn)
   EXPECT_EQ(countOf("<figure>", fileText(path("l.html"))), 0) << "nobody knows the truth";
 }
 
-TEST_F(PsmksBenchmarkLogs, whatCannotBeAcceptedIsAUsageError)
+TEST_F(PsmksBenchmarkLogs, WhatCannotBeAcceptedIsAUsageError)
 {
   const std::string room = "logs " + log("room");
   expectUsageError(room + " --matchers nobody", "matcher 'nobody' is not known");
@@ -198,14 +198,14 @@ TEST_F(PsmksBenchmarkLogs, whatCannotBeAcceptedIsAUsageError)
   expectUsageError(room + " " + log("room") + " --relations r", "belongs to one LOG");
 }
 
-TEST_F(PsmksBenchmarkLogs, aGroundTruthThatCannotBeReadIsAnInputError)
+TEST_F(PsmksBenchmarkLogs, AGroundTruthThatCannotBeReadIsAnInputError)
 {
   const ProgramRun done = run(log("room") + " --matchers guess --ground-truth " + path("no.tum"));
   EXPECT_EQ(done.exitCode, 2);
   EXPECT_TRUE(says(done.errors, {"ground truth", "no.tum"}));
 }
 
-TEST_F(PsmksBenchmarkLogs, relationsThatCannotBeReadAreAnInputError)
+TEST_F(PsmksBenchmarkLogs, RelationsThatCannotBeReadAreAnInputError)
 {
   std::ofstream(path("broken.relations")) << "1 2 3\n";
   const ProgramRun done =

@@ -36,7 +36,7 @@ class PsmksBenchmarkSelfmatch : public BenchmarkOnLogs
 };
 }  // namespace
 
-TEST_F(PsmksBenchmarkSteps, everyMatcherStartsFromEveryGuess)
+TEST_F(PsmksBenchmarkSteps, EveryMatcherStartsFromEveryGuess)
 {
   writeTruth("room.reference.tum");
   const ProgramRun done = run("steps " + log("room") + " --matchers psmks,guess");
@@ -57,7 +57,7 @@ TEST_F(PsmksBenchmarkSteps, everyMatcherStartsFromEveryGuess)
 }
 
 //   o . o . o . o .     every second scan: three motions of twice a step
-TEST_F(PsmksBenchmarkSteps, scansBetweenCanBeLeftOut)
+TEST_F(PsmksBenchmarkSteps, ScansBetweenCanBeLeftOut)
 {
   writeTruth("room.gt.tum");
   const std::string flags = "steps " + log("room") + " --matchers guess --guess zero";
@@ -71,7 +71,7 @@ TEST_F(PsmksBenchmarkSteps, scansBetweenCanBeLeftOut)
   EXPECT_EQ(table().at("table"), "room every 1: 6 pairs");
 }
 
-TEST_F(PsmksBenchmarkSteps, theLimitsOfASuccessCanBeMoved)
+TEST_F(PsmksBenchmarkSteps, TheLimitsOfASuccessCanBeMoved)
 {
   writeTruth("room.gt.tum");
   const auto success_percent = [this](const std::string& limits)
@@ -85,7 +85,7 @@ TEST_F(PsmksBenchmarkSteps, theLimitsOfASuccessCanBeMoved)
 }
 
 /** The robot has turned its back on what it saw. */
-TEST_F(PsmksBenchmarkSteps, pairsThatShareTooLittleAreLeftOutAndCounted)
+TEST_F(PsmksBenchmarkSteps, PairsThatShareTooLittleAreLeftOutAndCounted)
 {
   RoomLog turned(3);
   turned.steps[2].T_world_robot = {0, 0, kPi};
@@ -109,7 +109,7 @@ TEST_F(PsmksBenchmarkSteps, pairsThatShareTooLittleAreLeftOutAndCounted)
   EXPECT_EQ(table().at("table"), "turned every 1: 1 pairs; 1 left out that share too little");
 }
 
-TEST_F(PsmksBenchmarkSteps, pairsWithoutATruthAreLeftOutAndCounted)
+TEST_F(PsmksBenchmarkSteps, PairsWithoutATruthAreLeftOutAndCounted)
 {
   std::ofstream out(path("room.gt.tum"));
   writeTum(out, {{log_.steps[0].stamp_s, log_.steps[0].T_world_robot},
@@ -119,14 +119,14 @@ TEST_F(PsmksBenchmarkSteps, pairsWithoutATruthAreLeftOutAndCounted)
   EXPECT_EQ(table().at("table"), "room every 1: 1 pairs; 6 left out without a truth");
 }
 
-TEST_F(PsmksBenchmarkSteps, withoutATruthThereIsNothingToDo)
+TEST_F(PsmksBenchmarkSteps, WithoutATruthThereIsNothingToDo)
 {
   const ProgramRun done = run("steps " + log("room") + " --matchers guess");
   EXPECT_EQ(done.exitCode, 3);
   EXPECT_TRUE(says(done.errors, {"'room' has no true trajectory"}));
 }
 
-TEST_F(PsmksBenchmarkSteps, whatCannotBeAcceptedIsAUsageError)
+TEST_F(PsmksBenchmarkSteps, WhatCannotBeAcceptedIsAUsageError)
 {
   const std::string room = "steps " + log("room");
   expectUsageError(room + " --matchers nobody", "matcher 'nobody' is not known");
@@ -137,14 +137,14 @@ TEST_F(PsmksBenchmarkSteps, whatCannotBeAcceptedIsAUsageError)
   expectUsageError(room + " " + log("room") + " --ground-truth t.tum", "belongs to one LOG");
 }
 
-TEST_F(PsmksBenchmarkSteps, theWorstPairsAreDrawnOnAPage)
+TEST_F(PsmksBenchmarkSteps, TheWorstPairsAreDrawnOnAPage)
 {
   writeTruth("room.gt.tum");
   ASSERT_EQ(run("steps " + log("room") + " --matchers psmks --html " + path("s.html")).exitCode, 0);
   EXPECT_TRUE(says(fileText(path("s.html")), {"<figcaption>pair 7: ", "room every 1: 7 pairs"}));
 }
 
-TEST_F(PsmksBenchmarkSelfmatch, everyScanFindsItselfAgain)
+TEST_F(PsmksBenchmarkSelfmatch, EveryScanFindsItselfAgain)
 {
   const ProgramRun done = run("selfmatch " + log("room") + " --matchers psmks,guess");
   ASSERT_EQ(done.exitCode, 0) << done.errors;
@@ -157,7 +157,7 @@ TEST_F(PsmksBenchmarkSelfmatch, everyScanFindsItselfAgain)
   EXPECT_LT(rows()[1].at("success_percent"), 50);
 }
 
-TEST_F(PsmksBenchmarkSelfmatch, guessesAreWrongByAtMostWhatWasAskedFor)
+TEST_F(PsmksBenchmarkSelfmatch, GuessesAreWrongByAtMostWhatWasAskedFor)
 {
   const std::string dump =
       "selfmatch " + log("room") + " --matchers guess --dump " + path("d.csv") + ' ';
@@ -177,7 +177,7 @@ TEST_F(PsmksBenchmarkSelfmatch, guessesAreWrongByAtMostWhatWasAskedFor)
   EXPECT_EQ(rows()[0].at("success_percent"), 100);
 }
 
-TEST_F(PsmksBenchmarkSelfmatch, theGuessesAreTheSameForTheSameSeed)
+TEST_F(PsmksBenchmarkSelfmatch, TheGuessesAreTheSameForTheSameSeed)
 {
   const auto errors = [this](const std::string& seed)
   {
@@ -189,7 +189,7 @@ TEST_F(PsmksBenchmarkSelfmatch, theGuessesAreTheSameForTheSameSeed)
   EXPECT_NE(errors("3"), errors("4"));
 }
 
-TEST_F(PsmksBenchmarkSelfmatch, whatCannotBeAcceptedSaysWhy)
+TEST_F(PsmksBenchmarkSelfmatch, WhatCannotBeAcceptedSaysWhy)
 {
   const std::string room = "selfmatch " + log("room");
   expectUsageError(room + " --matchers nobody", "matcher 'nobody' is not known");

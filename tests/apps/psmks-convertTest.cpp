@@ -83,7 +83,7 @@ class PsmksConvert : public test::ProgramTest
   const RoomLog log_{kScans};
 };
 
-TEST_F(PsmksConvert, aRawlogGoesToCarmenAndBackUnchanged)
+TEST_F(PsmksConvert, ARawlogGoesToCarmenAndBackUnchanged)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   expectSuccess("room.rawlog room.log", "room.log: 8 scans of 'FRONT'\n");
@@ -95,7 +95,7 @@ TEST_F(PsmksConvert, aRawlogGoesToCarmenAndBackUnchanged)
   EXPECT_EQ(fileText(path("again.clf.gz")).substr(0, 2), "\x1f\x8b");
 }
 
-TEST_F(PsmksConvert, bothKindsOfRawlogHoldTheSame)
+TEST_F(PsmksConvert, BothKindsOfRawlogHoldTheSame)
 {
   writeCarmen(log_, path("room.log"));
   EXPECT_EQ(run("room.log loose.rawlog --observations").exitCode, 0);
@@ -105,7 +105,7 @@ TEST_F(PsmksConvert, bothKindsOfRawlogHoldTheSame)
   EXPECT_NE(fileText(path("loose.rawlog")), fileText(path("paired.rawlog")));
 }
 
-TEST_F(PsmksConvert, flagsSayWhatACarmenLogDoesNot)
+TEST_F(PsmksConvert, FlagsSayWhatACarmenLogDoesNot)
 {
   std::ofstream(path("a.log")) << flaser(std::vector<double>(541, 2.0), {}, 100, 1)
                                << flaser(std::vector<double>(541, 2.0), {1, 0, 0}, 101, 2);
@@ -120,7 +120,7 @@ TEST_F(PsmksConvert, flagsSayWhatACarmenLogDoesNot)
   EXPECT_EQ(frames[0].stamp_s, 1);
 }
 
-TEST_F(PsmksConvert, pairsHaveTheTrueMotionAndTheOdometry)
+TEST_F(PsmksConvert, PairsHaveTheTrueMotionAndTheOdometry)
 {
   writeCarmen(log_, path("room.log"));
   writeTruth("room.tum");
@@ -139,7 +139,7 @@ TEST_F(PsmksConvert, pairsHaveTheTrueMotionAndTheOdometry)
   EXPECT_TRUE(isNearly(pair.T_ref_cur_odometry, ofSensors(step * step * step), 1e-6, 1e-6));
 }
 
-TEST_F(PsmksConvert, scansWithoutATruePoseAreLeftOutAndCounted)
+TEST_F(PsmksConvert, ScansWithoutATruePoseAreLeftOutAndCounted)
 {
   writeCarmen(log_, path("room.log"));
   std::ofstream file(path("short.tum"));
@@ -152,7 +152,7 @@ TEST_F(PsmksConvert, scansWithoutATruePoseAreLeftOutAndCounted)
   EXPECT_FALSE(std::filesystem::exists(path("late.pairs")));
 }
 
-TEST_F(PsmksConvert, aMapBecomesItsWalls)
+TEST_F(PsmksConvert, AMapBecomesItsWalls)
 {
   std::ofstream(path("room.map")) << "2D-Map\nNumPoints: 1\nLINES\n0 0 4000 0\n4000 0 4000 2500\n"
                                      "DATA\n1000 1000\n";
@@ -160,7 +160,7 @@ TEST_F(PsmksConvert, aMapBecomesItsWalls)
   EXPECT_EQ(fileText(path("room.csv")), "x1_m,y1_m,x2_m,y2_m\n0,0,4,0\n4,0,4,2.5\n");
 }
 
-TEST_F(PsmksConvert, whatIsReadBeforeTheDamageIsConverted)
+TEST_F(PsmksConvert, WhatIsReadBeforeTheDamageIsConverted)
 {
   writePlain(asFrames(log_), path("cut.rawlog"));
   std::filesystem::resize_file(path("cut.rawlog"),
@@ -171,7 +171,7 @@ TEST_F(PsmksConvert, whatIsReadBeforeTheDamageIsConverted)
   EXPECT_EQ(framesOf("cut.log").size(), 4u);
 }
 
-TEST_F(PsmksConvert, malformedMessagesAreTold)
+TEST_F(PsmksConvert, MalformedMessagesAreTold)
 {
   writeCarmen(log_, path("room.log"));
   std::ofstream(path("room.log"), std::ios::app) << "FLASER 3 1 2\nODOM 1 2\n";
@@ -183,7 +183,7 @@ TEST_F(PsmksConvert, malformedMessagesAreTold)
   expectRoom("room.rawlog");
 }
 
-TEST_F(PsmksConvert, inputsThatHoldNothingEndWithTheirExitCodes)
+TEST_F(PsmksConvert, InputsThatHoldNothingEndWithTheirExitCodes)
 {
   std::ofstream(path("empty.log")).close();
   std::ofstream(path("prose.log")) << "Dear diary,\ntoday\n";
@@ -198,7 +198,7 @@ TEST_F(PsmksConvert, inputsThatHoldNothingEndWithTheirExitCodes)
   expectRefusal("room.log walls.csv", 2, "room.log");
 }
 
-TEST_F(PsmksConvert, wrongCommandLinesEndWithOneSentence)
+TEST_F(PsmksConvert, WrongCommandLinesEndWithOneSentence)
 {
   writeCarmen(log_, path("room.log"));
   expectRefusal("room.log", 1, "OUTPUT");
@@ -214,7 +214,7 @@ TEST_F(PsmksConvert, wrongCommandLinesEndWithOneSentence)
   EXPECT_EQ(run("room.log there.rawlog --overwrite").exitCode, 0);
 }
 
-TEST_F(PsmksConvert, helpShowsExamples)
+TEST_F(PsmksConvert, HelpShowsExamples)
 {
   const ProgramRun help = run("--help");
   EXPECT_EQ(help.exitCode, 0);

@@ -71,7 +71,7 @@ class PsmksEvaluate : public test::ProgramTest
   Trajectory truth_;
 };
 
-TEST_F(PsmksEvaluate, holdsATrajectoryAgainstItsGroundTruth)
+TEST_F(PsmksEvaluate, HoldsATrajectoryAgainstItsGroundTruth)
 {
   writeEstimate();
   const auto result = run(
@@ -96,7 +96,7 @@ TEST_F(PsmksEvaluate, holdsATrajectoryAgainstItsGroundTruth)
   EXPECT_TRUE(first["mean_squared_m2"].is_null()) << "published of relations only";
 }
 
-TEST_F(PsmksEvaluate, holdsATrajectoryAgainstRelations)
+TEST_F(PsmksEvaluate, HoldsATrajectoryAgainstRelations)
 {
   writeEstimate();
   writeText("drive.relations",
@@ -118,7 +118,7 @@ TEST_F(PsmksEvaluate, holdsATrajectoryAgainstRelations)
   EXPECT_NEAR(rowOf("relations >= 5 s")["mean_m"].get<double>(), 0.5, 1e-6);
 }
 
-TEST_F(PsmksEvaluate, comparesTrajectoriesInOneTable)
+TEST_F(PsmksEvaluate, ComparesTrajectoriesInOneTable)
 {
   writeEstimate("psmks/trajectory.tum");
   write("exact/trajectory.tum", truth_);
@@ -135,7 +135,7 @@ TEST_F(PsmksEvaluate, comparesTrajectoriesInOneTable)
   EXPECT_TRUE(says(fileText(path("errors.md")), {"### steps", "| exact"}));
 }
 
-TEST_F(PsmksEvaluate, firstPosesCanBeLeftOut)
+TEST_F(PsmksEvaluate, FirstPosesCanBeLeftOut)
 {
   Trajectory estimate = truth_;
   estimate[0].pose = {0, 0, 0.5};  // where laying the first pose over spoils all others
@@ -145,7 +145,7 @@ TEST_F(PsmksEvaluate, firstPosesCanBeLeftOut)
   expectError(run("-e estimate.tum -g truth.tum --skip_poses 21"), 3, {"21 poses", "skipped"});
 }
 
-TEST_F(PsmksEvaluate, readsTheGroundTruthsOfMrptAndCarmen)
+TEST_F(PsmksEvaluate, ReadsTheGroundTruthsOfMrptAndCarmen)
 {
   writeEstimate();
   writeText("drive.GT.txt", "% Timestamp x y phi\n1600000000 0 0 0\n1600000001 1 0 0\n");
@@ -154,7 +154,7 @@ TEST_F(PsmksEvaluate, readsTheGroundTruthsOfMrptAndCarmen)
   EXPECT_TRUE(says(result.output, {"21 poses, 2 with a true one"}));
 }
 
-TEST_F(PsmksEvaluate, takesAGroundTruthWithNumberedRows)
+TEST_F(PsmksEvaluate, TakesAGroundTruthWithNumberedRows)
 {
   write("estimate.tum", truth_);
   std::string rows;
@@ -171,7 +171,7 @@ TEST_F(PsmksEvaluate, takesAGroundTruthWithNumberedRows)
   expectError(run("-e estimate.tum -g short_GT.txt"), 3, {"numbers of its 2 rows", "21"});
 }
 
-TEST_F(PsmksEvaluate, stampsOfAnEstimateMayGoBackwards)
+TEST_F(PsmksEvaluate, StampsOfAnEstimateMayGoBackwards)
 {
   Trajectory estimate = truth_;
   std::swap(estimate[5], estimate[6]);
@@ -182,7 +182,7 @@ TEST_F(PsmksEvaluate, stampsOfAnEstimateMayGoBackwards)
   expectError(run("-e estimate.tum -g estimate.tum"), 2, {"ground truth", "estimate.tum:7"});
 }
 
-TEST_F(PsmksEvaluate, drawsPathsAndErrors)
+TEST_F(PsmksEvaluate, DrawsPathsAndErrors)
 {
   writeEstimate("it's \"odd\".tum");
   writeText("drive.relations", "1600000000 1600000002 2 0 0 0 0 0\n");
@@ -194,7 +194,7 @@ TEST_F(PsmksEvaluate, drawsPathsAndErrors)
   EXPECT_EQ(fileText(path("errors.png")).substr(1, 3), "PNG");
 }
 
-TEST_F(PsmksEvaluate, filesThatAreMissingOrDamagedAreNamed)
+TEST_F(PsmksEvaluate, FilesThatAreMissingOrDamagedAreNamed)
 {
   writeEstimate();
   expectError(run("-e none.tum -g truth.tum"), 2, {"estimate none.tum", "no such file"});
@@ -206,7 +206,7 @@ TEST_F(PsmksEvaluate, filesThatAreMissingOrDamagedAreNamed)
   expectError(run("-e . -g truth.tum"), 2, {"not to be read"});
 }
 
-TEST_F(PsmksEvaluate, tellsWhereThereIsNothingInCommon)
+TEST_F(PsmksEvaluate, TellsWhereThereIsNothingInCommon)
 {
   writeEstimate();
   writeText("later.tum", "1 0 0 0\n2 0 0 0\n");
@@ -215,7 +215,7 @@ TEST_F(PsmksEvaluate, tellsWhereThereIsNothingInCommon)
   expectError(run("-e estimate.tum -r later.relations"), 3, {"no relation", "estimate.tum"});
 }
 
-TEST_F(PsmksEvaluate, refusesWhatItDoesNotUnderstand)
+TEST_F(PsmksEvaluate, RefusesWhatItDoesNotUnderstand)
 {
   writeEstimate();
   expectError(run("-e estimate.tum"), 1, {"--ground-truth or --relations"});
@@ -227,7 +227,7 @@ TEST_F(PsmksEvaluate, refusesWhatItDoesNotUnderstand)
   expectError(run("-e estimate.tum -g truth.tum --plot none/errors.png"), 1, {"none/errors.png"});
 }
 
-TEST_F(PsmksEvaluate, explainsItself)
+TEST_F(PsmksEvaluate, ExplainsItself)
 {
   const auto help = run("--help");
   EXPECT_EQ(help.exitCode, 0);
@@ -235,7 +235,7 @@ TEST_F(PsmksEvaluate, explainsItself)
   EXPECT_TRUE(says(run("--version").output, {"psmks-evaluate "}));
 }
 
-TEST_F(PsmksEvaluate, readsMrptsUwbDemo)
+TEST_F(PsmksEvaluate, ReadsMrptsUwbDemo)
 {
   const std::string file = "/usr/share/mrpt/datasets/uwb_ro-localization_demo_GT.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not installed";

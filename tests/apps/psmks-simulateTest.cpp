@@ -54,7 +54,7 @@ class PsmksSimulate : public test::ProgramTest
   }
 };
 
-TEST_F(PsmksSimulate, writesAllItsFilesAndASummary)
+TEST_F(PsmksSimulate, WritesAllItsFilesAndASummary)
 {
   const ProgramRun run = drive("--world room");
   ASSERT_EQ(run.exitCode, 0) << run.errors;
@@ -65,7 +65,7 @@ TEST_F(PsmksSimulate, writesAllItsFilesAndASummary)
     EXPECT_NE(run.output.find(part), std::string::npos) << part << " in\n" << run.output;
 }
 
-TEST_F(PsmksSimulate, theGroundTruthHasAPoseForEveryScanInBothFiles)
+TEST_F(PsmksSimulate, TheGroundTruthHasAPoseForEveryScanInBothFiles)
 {
   drive("--world room");
   const auto scans = frames();
@@ -82,7 +82,7 @@ TEST_F(PsmksSimulate, theGroundTruthHasAPoseForEveryScanInBothFiles)
 }
 
 /** Seen from the true poses, every point lies on a wall of the room. */
-TEST_F(PsmksSimulate, theScansShowTheWorldFromTheTruePoses)
+TEST_F(PsmksSimulate, TheScansShowTheWorldFromTheTruePoses)
 {
   drive("--world room --rays 91 --range_sigma_m 0.001 --laser_x_m 0.2 --laser_phi_deg 30");
   const World world = makeSite("room", 1).world;
@@ -104,7 +104,7 @@ TEST_F(PsmksSimulate, theScansShowTheWorldFromTheTruePoses)
   }
 }
 
-TEST_F(PsmksSimulate, bothFormatsHoldTheSameDrive)
+TEST_F(PsmksSimulate, BothFormatsHoldTheSameDrive)
 {
   drive("--world room --format actions");
   const auto actions = frames();
@@ -118,7 +118,7 @@ TEST_F(PsmksSimulate, bothFormatsHoldTheSameDrive)
   }
 }
 
-TEST_F(PsmksSimulate, theSameSeedGivesTheSameBytesAndAnotherDoesNot)
+TEST_F(PsmksSimulate, TheSameSeedGivesTheSameBytesAndAnotherDoesNot)
 {
   const auto files = [this](const std::string& seed)
   {
@@ -135,7 +135,7 @@ TEST_F(PsmksSimulate, theSameSeedGivesTheSameBytesAndAnotherDoesNot)
   }
 }
 
-TEST_F(PsmksSimulate, theLasersFlagsReachTheScans)
+TEST_F(PsmksSimulate, TheLasersFlagsReachTheScans)
 {
   drive(
       "--world room --rays 360 --fov_deg 360 --max_range_m 8 --range_sigma_m 0.03 "
@@ -158,7 +158,7 @@ TEST_F(PsmksSimulate, theLasersFlagsReachTheScans)
   EXPECT_LT(returns, 250);
 }
 
-TEST_F(PsmksSimulate, aRouteIsDrivenToItsEnd)
+TEST_F(PsmksSimulate, ARouteIsDrivenToItsEnd)
 {
   std::ofstream(path("short.route")) << "# in the middle of the hall\n-3 0\n-1 0\n-1 1\n";
   writeGridmap("hall.gridmap.gz");
@@ -171,7 +171,7 @@ TEST_F(PsmksSimulate, aRouteIsDrivenToItsEnd)
 }
 
 /** From the middle of the hall its far wall is 4.9 m away, to the face of the outermost cells. */
-TEST_F(PsmksSimulate, gridmapsAreWorlds)
+TEST_F(PsmksSimulate, GridmapsAreWorlds)
 {
   writeGridmap("hall.gridmap");
   const ProgramRun run =
@@ -183,7 +183,7 @@ TEST_F(PsmksSimulate, gridmapsAreWorlds)
   EXPECT_NEAR(frames().front().scan->getScanRange(90), 4.9, 0.05);
 }
 
-TEST_F(PsmksSimulate, imagesAreWorldsWithAResolution)
+TEST_F(PsmksSimulate, ImagesAreWorldsWithAResolution)
 {
   std::ofstream image(path("hall.pgm"));
   image << "P2\n100 60\n255\n";
@@ -195,7 +195,7 @@ TEST_F(PsmksSimulate, imagesAreWorldsWithAResolution)
   expectError(drive("--world hall.pgm"), 1, {"add --resolution_m"});
 }
 
-TEST_F(PsmksSimulate, activMediaMapsAreWorlds)
+TEST_F(PsmksSimulate, ActivMediaMapsAreWorlds)
 {
   std::ofstream(path("box.map"))
       << "2D-Map\nNumLines: 4\nCairn: RobotHome 1000 0 90 \"\" ICON \"\"\n"
@@ -207,14 +207,14 @@ TEST_F(PsmksSimulate, activMediaMapsAreWorlds)
   EXPECT_TRUE(isNearly(truth().front().pose, {1, 0, degToRad(90)}, 1e-6, 1e-6));
 }
 
-TEST_F(PsmksSimulate, resultsAreNotOverwrittenUnlessAsked)
+TEST_F(PsmksSimulate, ResultsAreNotOverwrittenUnlessAsked)
 {
   ASSERT_EQ(run("--world room --minutes 0 --output drive.rawlog").exitCode, 0);
   expectError(run("--world room --minutes 0 --output drive.rawlog"), 1, {"--overwrite"});
   EXPECT_EQ(run("--world room --minutes 0 --output drive.rawlog --overwrite").exitCode, 0);
 }
 
-TEST_F(PsmksSimulate, whatCannotBeAcceptedIsAUsageError)
+TEST_F(PsmksSimulate, WhatCannotBeAcceptedIsAUsageError)
 {
   expectError(run("--world room"), 1, {"--output"});
   expectError(run("--output drive.rawlog"), 1, {"--world"});
@@ -227,7 +227,7 @@ TEST_F(PsmksSimulate, whatCannotBeAcceptedIsAUsageError)
   expectError(drive("--world room --start_x_m 12"), 1, {"does not fit in"});
 }
 
-TEST_F(PsmksSimulate, aMissingOrDamagedWorldIsAnInputError)
+TEST_F(PsmksSimulate, AMissingOrDamagedWorldIsAnInputError)
 {
   expectError(drive("--world nowhere"), 2, {"no world of --list-worlds"});
   std::ofstream(path("foreign.gridmap")) << "something else";
@@ -241,7 +241,7 @@ TEST_F(PsmksSimulate, aMissingOrDamagedWorldIsAnInputError)
   expectError(drive("--world room --route absent.route"), 2, {"absent.route"});
 }
 
-TEST_F(PsmksSimulate, helpVersionAndTheListOfWorldsEndWell)
+TEST_F(PsmksSimulate, HelpVersionAndTheListOfWorldsEndWell)
 {
   EXPECT_EQ(run("--help").exitCode, 0);
   EXPECT_EQ(run("--version").output.rfind("psmks-simulate ", 0), 0u);

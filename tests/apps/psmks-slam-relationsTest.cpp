@@ -42,7 +42,7 @@ class PsmksSlamRelations : public test::ProgramTest
   const test::RoomLog log_{kScans};
 };
 
-TEST_F(PsmksSlamRelations, theirErrorsAreReported)
+TEST_F(PsmksSlamRelations, TheirErrorsAreReported)
 {
   writeRelations();
   const ProgramRun run = slam("--relations room.relations");
@@ -57,14 +57,14 @@ TEST_F(PsmksSlamRelations, theirErrorsAreReported)
   EXPECT_GT(summary()["relations_error"]["all"]["mean_deg"], 2);
 }
 
-TEST_F(PsmksSlamRelations, withoutThemNothingIsSaidOfThem)
+TEST_F(PsmksSlamRelations, WithoutThemNothingIsSaidOfThem)
 {
   const ProgramRun run = slam("");
   EXPECT_EQ(run.output.find("relations"), std::string::npos);
   EXPECT_FALSE(summary().contains("relations_error"));
 }
 
-TEST_F(PsmksSlamRelations, ofAnotherTimeAreAnInputErrorAfterEverythingIsSaved)
+TEST_F(PsmksSlamRelations, OfAnotherTimeAreAnInputErrorAfterEverythingIsSaved)
 {
   std::ofstream(path("room.relations")) << "1 2 0 0 0 0 0 0\n";
   const ProgramRun run = slam("--relations room.relations");
@@ -73,7 +73,7 @@ TEST_F(PsmksSlamRelations, ofAnotherTimeAreAnInputErrorAfterEverythingIsSaved)
   EXPECT_EQ(summary()["scans"], kScans);
 }
 
-TEST_F(PsmksSlamRelations, thatCannotBeReadAreAnInputErrorBeforeTheRun)
+TEST_F(PsmksSlamRelations, ThatCannotBeReadAreAnInputErrorBeforeTheRun)
 {
   std::ofstream(path("room.relations")) << "1 2 3\n";
   for (const char* name : {"room.relations", "none.relations"})

@@ -52,7 +52,7 @@ class PsmksSlam : public test::ProgramTest
   const RoomLog log_{kScans};
 };
 
-TEST_F(PsmksSlam, bothKindsOfRawlogAndBothWaysToStoreThemGiveTheTruePath)
+TEST_F(PsmksSlam, BothKindsOfRawlogAndBothWaysToStoreThemGiveTheTruePath)
 {
   writeGzipped(asFrames(log_), path("frames.rawlog"));
   writePlain(asFrames(log_), path("plain.rawlog"));
@@ -65,7 +65,7 @@ TEST_F(PsmksSlam, bothKindsOfRawlogAndBothWaysToStoreThemGiveTheTruePath)
   }
 }
 
-TEST_F(PsmksSlam, aCarmenLogGivesTheTruePathToo)
+TEST_F(PsmksSlam, ACarmenLogGivesTheTruePathToo)
 {
   for (const char* name : {"room.log", "room.clf.gz"})
   {
@@ -82,7 +82,7 @@ TEST_F(PsmksSlam, aCarmenLogGivesTheTruePathToo)
   EXPECT_TRUE(std::filesystem::exists(path("room-slam/summary.json")));
 }
 
-TEST_F(PsmksSlam, whatALogHoldsOfOddThingsIsToldAndWrittenDown)
+TEST_F(PsmksSlam, WhatALogHoldsOfOddThingsIsToldAndWrittenDown)
 {
   writeCarmen(log_, path("room.log"));
   std::ofstream(path("room.log"), std::ios::app) << "FLASER 3 1 2\n";
@@ -94,7 +94,7 @@ TEST_F(PsmksSlam, whatALogHoldsOfOddThingsIsToldAndWrittenDown)
   EXPECT_EQ(summary()["remarks"], json({"1 malformed message skipped, in line 10"}));
 }
 
-TEST_F(PsmksSlam, theSummarySaysHowFastItWasAndWhereTheTimeWent)
+TEST_F(PsmksSlam, TheSummarySaysHowFastItWasAndWhereTheTimeWent)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   EXPECT_NE(slam("room.rawlog").output.find(" scans/s"), std::string::npos);
@@ -103,7 +103,7 @@ TEST_F(PsmksSlam, theSummarySaysHowFastItWasAndWhereTheTimeWent)
     EXPECT_GE(summary()["time_s"][stage], 0) << stage;
 }
 
-TEST_F(PsmksSlam, writesAllItsFilesAndASummary)
+TEST_F(PsmksSlam, WritesAllItsFilesAndASummary)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   const ProgramRun run = slam("room.rawlog");
@@ -118,7 +118,7 @@ TEST_F(PsmksSlam, writesAllItsFilesAndASummary)
   EXPECT_EQ(summary()["options"]["matcher"]["scheme"], "joint");
 }
 
-TEST_F(PsmksSlam, theSimplemapIsReadByMrptWithTheKeyframesOfTheRun)
+TEST_F(PsmksSlam, TheSimplemapIsReadByMrptWithTheKeyframesOfTheRun)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   slam("room.rawlog", "--set reference.map_spacing_m=0.15");
@@ -128,7 +128,7 @@ TEST_F(PsmksSlam, theSimplemapIsReadByMrptWithTheKeyframesOfTheRun)
   EXPECT_EQ(summary()["references"], map.size());
 }
 
-TEST_F(PsmksSlam, theOutputFolderIsNamedAfterTheLogAndNotOverwritten)
+TEST_F(PsmksSlam, TheOutputFolderIsNamedAfterTheLogAndNotOverwritten)
 {
   writeGzipped(asFrames(log_), path("my room.rawlog"));
   EXPECT_EQ(run("'my room.rawlog'").exitCode, 0);
@@ -141,7 +141,7 @@ TEST_F(PsmksSlam, theOutputFolderIsNamedAfterTheLogAndNotOverwritten)
   EXPECT_EQ(run("'my room.rawlog' --overwrite").exitCode, 0);
 }
 
-TEST_F(PsmksSlam, theSavedRawlogHoldsTheMatchedMotions)
+TEST_F(PsmksSlam, TheSavedRawlogHoldsTheMatchedMotions)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   ASSERT_EQ(slam("room.rawlog", "--save-rawlog matched.rawlog").exitCode, 0);
@@ -158,7 +158,7 @@ TEST_F(PsmksSlam, theSavedRawlogHoldsTheMatchedMotions)
   EXPECT_EQ(slam("room.rawlog --save-rawlog matched.rawlog").exitCode, 2);  // no such log
 }
 
-TEST_F(PsmksSlam, theErrorAgainstAGroundTruthIsReported)
+TEST_F(PsmksSlam, TheErrorAgainstAGroundTruthIsReported)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   std::ofstream truth(path("truth.txt"));
@@ -175,7 +175,7 @@ TEST_F(PsmksSlam, theErrorAgainstAGroundTruthIsReported)
   EXPECT_GT(summary()["ground_truth_error"]["max_m"], 0.02);
 }
 
-TEST_F(PsmksSlam, aGroundTruthThatCannotBeReadIsAnInputError)
+TEST_F(PsmksSlam, AGroundTruthThatCannotBeReadIsAnInputError)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   std::ofstream(path("truth.txt")) << "1 2 3\n";
@@ -187,7 +187,7 @@ TEST_F(PsmksSlam, aGroundTruthThatCannotBeReadIsAnInputError)
   }
 }
 
-TEST_F(PsmksSlam, aGroundTruthOfAnotherTimeIsAnInputErrorAfterEverythingIsSaved)
+TEST_F(PsmksSlam, AGroundTruthOfAnotherTimeIsAnInputErrorAfterEverythingIsSaved)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   std::ofstream(path("truth.txt")) << "1 0 0 0\n2 0 0 0\n";
@@ -197,7 +197,7 @@ TEST_F(PsmksSlam, aGroundTruthOfAnotherTimeIsAnInputErrorAfterEverythingIsSaved)
   EXPECT_EQ(summary()["scans"], kScans);
 }
 
-TEST_F(PsmksSlam, everyMatcherRuns)
+TEST_F(PsmksSlam, EveryMatcherRuns)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   for (const char* matcher : {"psmks", "psmks-paper", "psm", "icp-classic", "icp-lm", "odometry"})
@@ -208,7 +208,7 @@ TEST_F(PsmksSlam, everyMatcherRuns)
   }
 }
 
-TEST_F(PsmksSlam, everyChoiceOfReferenceFollowsTheTruePath)
+TEST_F(PsmksSlam, EveryChoiceOfReferenceFollowsTheTruePath)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   for (const char* choice : {"sequential", "keyframe", "map"})
@@ -220,7 +220,7 @@ TEST_F(PsmksSlam, everyChoiceOfReferenceFollowsTheTruePath)
   }
 }
 
-TEST_F(PsmksSlam, aMapHasAKeyframeForEverySpacing)
+TEST_F(PsmksSlam, AMapHasAKeyframeForEverySpacing)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   slam("room.rawlog", "--reference map");
@@ -230,7 +230,7 @@ TEST_F(PsmksSlam, aMapHasAKeyframeForEverySpacing)
   expectTruePath(2e-3, degToRad(0.05));
 }
 
-TEST_F(PsmksSlam, scansWithoutAnyOdometryAreMatchedFromTheLastMotion)
+TEST_F(PsmksSlam, ScansWithoutAnyOdometryAreMatchedFromTheLastMotion)
 {
   Entries entries;
   for (const auto& step : log_.steps) entries.push_back(step.scan);
@@ -242,7 +242,7 @@ TEST_F(PsmksSlam, scansWithoutAnyOdometryAreMatchedFromTheLastMotion)
   expectOneSentence(odometry);
 }
 
-TEST_F(PsmksSlam, unsetStampsCommentsAndASecondScannerDoNotDisturb)
+TEST_F(PsmksSlam, UnsetStampsCommentsAndASecondScannerDoNotDisturb)
 {
   const auto rear = std::dynamic_pointer_cast<mrpt::obs::CObservation2DRangeScan>(
       log_.steps[0].scan->duplicateGetSmartPtr());
@@ -264,7 +264,7 @@ TEST_F(PsmksSlam, unsetStampsCommentsAndASecondScannerDoNotDisturb)
   EXPECT_EQ(slam("odd.rawlog", "--sensor LEFT").exitCode, 3);
 }
 
-TEST_F(PsmksSlam, whatWasReadBeforeTheDamageIsSaved)
+TEST_F(PsmksSlam, WhatWasReadBeforeTheDamageIsSaved)
 {
   writePlain(asFrames(log_), path("cut.rawlog"));
   const auto bytes = std::filesystem::file_size(path("cut.rawlog"));
@@ -276,7 +276,7 @@ TEST_F(PsmksSlam, whatWasReadBeforeTheDamageIsSaved)
   EXPECT_NE(summary()["log"]["damage"], "");
 }
 
-TEST_F(PsmksSlam, emptyRandomMissingAndScanlessLogsEndWithTheirExitCodes)
+TEST_F(PsmksSlam, EmptyRandomMissingAndScanlessLogsEndWithTheirExitCodes)
 {
   std::ofstream(path("empty.rawlog")).close();
   std::ofstream(path("random.rawlog"), std::ios::binary) << std::string(5000, '\xC3');
@@ -293,7 +293,7 @@ TEST_F(PsmksSlam, emptyRandomMissingAndScanlessLogsEndWithTheirExitCodes)
   }
 }
 
-TEST_F(PsmksSlam, scansWithoutAValidRayAreNoUsableScans)
+TEST_F(PsmksSlam, ScansWithoutAValidRayAreNoUsableScans)
 {
   for (const auto& step : log_.steps) step.scan->resizeScanAndAssign(361, 0, false);
   writeGzipped(asFrames(log_), path("blind.rawlog"));
@@ -302,7 +302,7 @@ TEST_F(PsmksSlam, scansWithoutAValidRayAreNoUsableScans)
   expectOneSentence(run);
 }
 
-TEST_F(PsmksSlam, whereEveryMatchFailsTheOdometryIsSaved)
+TEST_F(PsmksSlam, WhereEveryMatchFailsTheOdometryIsSaved)
 {
   for (std::size_t i = 1; i < log_.steps.size(); ++i)
     log_.steps[i].scan->resizeScanAndAssign(361, 0, false);
@@ -314,7 +314,7 @@ TEST_F(PsmksSlam, whereEveryMatchFailsTheOdometryIsSaved)
   EXPECT_TRUE(isNearly(trajectory().back().pose, log_.steps.back().T_odom_robot, 1e-6, 1e-6));
 }
 
-TEST_F(PsmksSlam, helpAndVersionGoToStdout)
+TEST_F(PsmksSlam, HelpAndVersionGoToStdout)
 {
   const ProgramRun help = run("--help");
   EXPECT_EQ(help.exitCode, 0);
@@ -323,7 +323,7 @@ TEST_F(PsmksSlam, helpAndVersionGoToStdout)
   EXPECT_EQ(run("--version").output.rfind("psmks-slam 0.", 0), 0u);
 }
 
-TEST_F(PsmksSlam, wrongCommandLinesEndWithOneSentence)
+TEST_F(PsmksSlam, WrongCommandLinesEndWithOneSentence)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   std::ofstream(path("foreign.ini")) << "[ICP]\nmaxIterations = 3\n";
@@ -351,13 +351,13 @@ TEST_F(PsmksSlam, wrongCommandLinesEndWithOneSentence)
   EXPECT_FALSE(std::filesystem::exists(path("out")));
 }
 
-TEST_F(PsmksSlam, theViewNeedsADisplay)
+TEST_F(PsmksSlam, TheViewNeedsADisplay)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   expectError(run("room.rawlog --view", "env -u DISPLAY"), 1, {"--view"});
 }
 
-TEST_F(PsmksSlam, thePrintedConfigurationIsReadBackAndFlagsOverrideIt)
+TEST_F(PsmksSlam, ThePrintedConfigurationIsReadBackAndFlagsOverrideIt)
 {
   const std::string printed =
       run("--print-config --set odometry.min_sigma_m=0.02 --reference keyframe").output;
@@ -370,7 +370,7 @@ TEST_F(PsmksSlam, thePrintedConfigurationIsReadBackAndFlagsOverrideIt)
   EXPECT_NE(overridden.find("min_sigma_m = 0.02"), std::string::npos);
 }
 
-TEST_F(PsmksSlam, theSenaLoopIsPosedScanByScanIntoASharpMap)
+TEST_F(PsmksSlam, TheSenaLoopIsPosedScanByScanIntoASharpMap)
 {
   if (!std::filesystem::exists(kSena)) GTEST_SKIP() << kSena << " is not installed";
   const ProgramRun result = run(quoted(kSena) + " --output out");

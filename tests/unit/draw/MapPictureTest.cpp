@@ -36,7 +36,7 @@ class MapPictureTest : public testing::Test
   const std::string path_ = folder_.path("map.png");
 };
 
-TEST_F(MapPictureTest, twoCentimetresAPixelButNeitherTooFewNorTooManyPixels)
+TEST_F(MapPictureTest, TwoCentimetresAPixelButNeitherTooFewNorTooManyPixels)
 {
   ASSERT_TRUE(saveMapPicture(wallMap(40), "title", path_));
   EXPECT_NEAR(widthOfPng_px(path_), (40 + 2) / 0.02, 10);  // a margin of 1 m on either side
@@ -46,7 +46,7 @@ TEST_F(MapPictureTest, twoCentimetresAPixelButNeitherTooFewNorTooManyPixels)
   EXPECT_NEAR(widthOfPng_px(path_), 4000, 2);
 }
 
-TEST_F(MapPictureTest, anEmptyMapAndAFolderThatIsMissingGiveNoPicture)
+TEST_F(MapPictureTest, AnEmptyMapAndAFolderThatIsMissingGiveNoPicture)
 {
   EXPECT_FALSE(saveMapPicture(ScanMap(), "title", path_));
   EXPECT_FALSE(saveMapPicture(wallMap(40), "title", "/no/such/folder/map.png"));

@@ -26,7 +26,7 @@ std::size_t countMeasured(const std::vector<CommonPose>& common)
 
 //  truth     o---------o---------o               o    one a second, then a gap
 //  estimate  |  x   x  |x   x    |    x    x     |
-TEST(CommonPosesTest, theTruthIsInterpolatedButNotAcrossGaps)
+TEST(CommonPosesTest, TheTruthIsInterpolatedButNotAcrossGaps)
 {
   const Trajectory truth{{0, {0, 0, 3.1}}, {1, {1, 0, -3.1}}, {2, {2, 0, -3.1}}, {9, {9, 0, 0}}};
   const Trajectory estimate{{-1, {}}, {0, {}}, {0.5, {}}, {2, {}}, {5, {}}, {9, {}}, {10, {}}};
@@ -38,7 +38,7 @@ TEST(CommonPosesTest, theTruthIsInterpolatedButNotAcrossGaps)
   EXPECT_TRUE(isNearly(common[3].T_true, {9, 0, 0}, 1e-12, 1e-12));
 }
 
-TEST(CommonPosesTest, aTruthAsDenseAsTheEstimateIsMeasuredEverywhere)
+TEST(CommonPosesTest, ATruthAsDenseAsTheEstimateIsMeasuredEverywhere)
 {
   const Trajectory estimate = straight(100, 0.1, 21);
   for (const double offset_s : {0.0, -0.05})
@@ -50,7 +50,7 @@ TEST(CommonPosesTest, aTruthAsDenseAsTheEstimateIsMeasuredEverywhere)
     }
 }
 
-TEST(CommonPosesTest, aSparseTruthIsMeasuredWhereItHasPoses)
+TEST(CommonPosesTest, ASparseTruthIsMeasuredWhereItHasPoses)
 {
   const auto common = commonPoses(straight(100, 0.1, 21), straight(100, 0.5, 5));
   EXPECT_EQ(common.size(), 21u);
@@ -59,7 +59,7 @@ TEST(CommonPosesTest, aSparseTruthIsMeasuredWhereItHasPoses)
   EXPECT_FALSE(common[6].isMeasured);
 }
 
-TEST(CommonPosesTest, theStampsOfTheEstimateMayRepeatAndGoBackwards)
+TEST(CommonPosesTest, TheStampsOfTheEstimateMayRepeatAndGoBackwards)
 {
   const Trajectory estimate{{2, {2, 0, 0}}, {1, {1, 0, 0}}, {1, {1, 0, 0}}, {3, {3, 0, 0}}};
   const auto common = commonPoses(estimate, straight(0, 1, 5));
@@ -68,7 +68,7 @@ TEST(CommonPosesTest, theStampsOfTheEstimateMayRepeatAndGoBackwards)
   for (const auto& pose : common) EXPECT_TRUE(isNearly(pose.T_true, pose.T_estimated, 1e-12, 0));
 }
 
-TEST(CommonPosesTest, aNumberedTruthGoesWithTheEstimateRowByRow)
+TEST(CommonPosesTest, ANumberedTruthGoesWithTheEstimateRowByRow)
 {
   const Trajectory truth{{0, {0, 0, 0}}, {1, {10, 0, 0}}, {2, {20, 0, 0}}};
   EXPECT_TRUE(isNumbered(truth));
@@ -81,7 +81,7 @@ TEST(CommonPosesTest, aNumberedTruthGoesWithTheEstimateRowByRow)
   EXPECT_EQ(common[2].T_estimated.x_m, 20);
 }
 
-TEST(CommonPosesTest, thePoseBeforeTheFirstActionHasNoRow)
+TEST(CommonPosesTest, ThePoseBeforeTheFirstActionHasNoRow)
 {
   const Trajectory truth{{0, {10, 0, 0}}, {1, {20, 0, 0}}};
   const Trajectory estimate{{1e9, {0, 1, 0}}, {1e9 + 1, {10, 1, 0}}, {1e9 + 2, {20, 1, 0}}};
@@ -90,21 +90,21 @@ TEST(CommonPosesTest, thePoseBeforeTheFirstActionHasNoRow)
   for (const auto& pose : common) EXPECT_EQ(pose.T_true.x_m, pose.T_estimated.x_m);
 }
 
-TEST(CommonPosesTest, rowsThatNobodyKnowsThePosesOfAreNotCompared)
+TEST(CommonPosesTest, RowsThatNobodyKnowsThePosesOfAreNotCompared)
 {
   const Trajectory truth{{0, {}}, {1, {}}, {2, {}}};
   EXPECT_TRUE(commonPoses(straight(1e9, 1, 2), truth).empty());
   EXPECT_TRUE(commonPoses(straight(1e9, 1, 5), truth).empty());
 }
 
-TEST(CommonPosesTest, numbersAreTimesWhereTheEstimateHasSuchTimes)
+TEST(CommonPosesTest, NumbersAreTimesWhereTheEstimateHasSuchTimes)
 {
   const auto common = commonPoses(straight(0, 0.5, 5), straight(0, 1, 3));
   ASSERT_EQ(common.size(), 5u);
   EXPECT_NEAR(common[1].T_true.x_m, 0.5, 1e-12);
 }
 
-TEST(CommonPosesTest, onlyNumbersOfRowsAreNumbers)
+TEST(CommonPosesTest, OnlyNumbersOfRowsAreNumbers)
 {
   EXPECT_FALSE(isNumbered({}));
   EXPECT_FALSE(isNumbered({{1, {}}, {2, {}}}));

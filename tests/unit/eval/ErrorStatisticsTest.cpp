@@ -9,7 +9,7 @@ namespace psmks
 {
 namespace
 {
-TEST(ErrorStatisticsTest, areThoseThatOneCanReckonByHand)
+TEST(ErrorStatisticsTest, AreThoseThatOneCanReckonByHand)
 {
   const ErrorStatistics s = errorStatistics(std::vector<double>{4, 0, 2, 0, 4});
   EXPECT_NEAR(s.mean, 2, 1e-12);
@@ -20,7 +20,7 @@ TEST(ErrorStatisticsTest, areThoseThatOneCanReckonByHand)
   EXPECT_NEAR(s.max, 4, 1e-12);
 }
 
-TEST(ErrorStatisticsTest, withoutErrorsNothingIsKnown)
+TEST(ErrorStatisticsTest, WithoutErrorsNothingIsKnown)
 {
   const PairErrorStatistics s = errorStatistics(std::vector<PairError>{}, kSuccessLimit);
   EXPECT_EQ(s.count, 0u);
@@ -29,7 +29,7 @@ TEST(ErrorStatisticsTest, withoutErrorsNothingIsKnown)
   EXPECT_TRUE(std::isnan(s.withinLimit));
 }
 
-TEST(ErrorStatisticsTest, anErrorIsWithinTheLimitWhereBothItsPartsAre)
+TEST(ErrorStatisticsTest, AnErrorIsWithinTheLimitWhereBothItsPartsAre)
 {
   const std::vector<PairError> errors{
       {0.1, degToRad(1)}, {0.2, degToRad(1)}, {0.1, degToRad(3)}, {0.1, degToRad(1.9)}};

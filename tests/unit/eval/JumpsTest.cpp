@@ -26,7 +26,7 @@ Trajectory withMiddleMoved(double left_m, double turned_deg = 0)
 }
 }  // namespace
 
-TEST(Jumps, aStraightPathHasNone)
+TEST(Jumps, AStraightPathHasNone)
 {
   EXPECT_EQ(countJumps(straight(), straight(), trueSteps(straight(), straight())), 0);
 }
@@ -34,34 +34,34 @@ TEST(Jumps, aStraightPathHasNone)
 //        o
 //      /   \.
 //  o--o     o--o
-TEST(Jumps, aPoseBesideThePathIsAJumpThereAndOneBack)
+TEST(Jumps, APoseBesideThePathIsAJumpThereAndOneBack)
 {
   const auto truth = trueSteps(straight(), straight());
   EXPECT_EQ(countJumps(withMiddleMoved(0.4), straight(), truth), 2);
   EXPECT_EQ(countJumps(withMiddleMoved(0.2), straight(), truth), 0) << "below the limit";
 }
 
-TEST(Jumps, aTurnedPoseJumpsToo)
+TEST(Jumps, ATurnedPoseJumpsToo)
 {
   const auto truth = trueSteps(straight(), straight());
   EXPECT_EQ(countJumps(withMiddleMoved(0, 11), straight(), truth), 2);
   EXPECT_EQ(countJumps(withMiddleMoved(0, 9), straight(), truth), 0);
 }
 
-TEST(Jumps, whereTheWheelsWereWrongTheEstimateDidNotJump)
+TEST(Jumps, WhereTheWheelsWereWrongTheEstimateDidNotJump)
 {
   const auto truth = trueSteps(straight(), straight());
   EXPECT_EQ(countJumps(withMiddleMoved(0.4), withMiddleMoved(0.4), truth), 0);
   EXPECT_EQ(countJumps(straight(), withMiddleMoved(0.4), truth), 0);
 }
 
-TEST(Jumps, onlyKnownMotionsCount)
+TEST(Jumps, OnlyKnownMotionsCount)
 {
   const std::vector<Relation> one{{101, 102, {0.5, 0, 0}}, {102, 300, {0, 0, 0}}};
   EXPECT_EQ(countJumps(withMiddleMoved(0.4), straight(), one), 1);
 }
 
-TEST(TrueSteps, leaveOutWhatTheTruthDoesNotCover)
+TEST(TrueSteps, LeaveOutWhatTheTruthDoesNotCover)
 {
   Trajectory truth = straight();
   truth.pop_back();

@@ -25,14 +25,14 @@ std::size_t cellsOf(const Scan& scan)
   return cells.count();
 }
 
-TEST(OccupiedCells, everyReturnWithinTheRangesFallsIntoACell)
+TEST(OccupiedCells, EveryReturnWithinTheRangesFallsIntoACell)
 {
   EXPECT_EQ(cellsOf(threeRays(1, 2, 3)), 3u);
   EXPECT_EQ(cellsOf(threeRays(0.09, 2, 15.1)), 1u);
   EXPECT_EQ(cellsOf(threeRays(std::numeric_limits<double>::quiet_NaN(), 0, -1)), 0u);
 }
 
-TEST(OccupiedCells, flaggedRaysAndRaysBeyondTheScannersRangeAreNoReturns)
+TEST(OccupiedCells, FlaggedRaysAndRaysBeyondTheScannersRangeAreNoReturns)
 {
   Scan scan = threeRays(1, 2, 8);
   scan.maxRange_m = 8;
@@ -40,7 +40,7 @@ TEST(OccupiedCells, flaggedRaysAndRaysBeyondTheScannersRangeAreNoReturns)
   EXPECT_EQ(cellsOf(scan), 1u);
 }
 
-TEST(OccupiedCells, aCellIsCountedOnceAndCellsMeetAtMultiplesOfFiveCentimetres)
+TEST(OccupiedCells, ACellIsCountedOnceAndCellsMeetAtMultiplesOfFiveCentimetres)
 {
   OccupiedCells cells;
   for (const double ahead_m : {2.01, 2.02, 2.04}) cells.add(threeRays(0, ahead_m, 0), {});
@@ -49,7 +49,7 @@ TEST(OccupiedCells, aCellIsCountedOnceAndCellsMeetAtMultiplesOfFiveCentimetres)
   EXPECT_EQ(cells.count(), 2u);
 }
 
-TEST(OccupiedCells, theSamePointSeenFromTwoPosesIsOneCell)
+TEST(OccupiedCells, TheSamePointSeenFromTwoPosesIsOneCell)
 {
   OccupiedCells cells;
   cells.add(threeRays(0, 2.02, 0), {0, 0.02, 0});

@@ -67,7 +67,7 @@ void expectSame(const std::vector<double>& a, const std::vector<double>& b)
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-9) << i;
 }
 
-TEST(PathErrorsTest, aRigidMotionOfTheWorldIsUndone)
+TEST(PathErrorsTest, ARigidMotionOfTheWorldIsUndone)
 {
   const Pose2 T_truth_estimate{-3, 7, 2.5};
   const Common common = squareSeenAs([&](std::size_t, const Pose2& pose)
@@ -77,7 +77,7 @@ TEST(PathErrorsTest, aRigidMotionOfTheWorldIsUndone)
   for (const double error : allErrors(common)) EXPECT_NEAR(error, 0, 1e-12);
 }
 
-TEST(PathErrorsTest, areThoseOfTheMotionWhereverTheWorldsBegin)
+TEST(PathErrorsTest, AreThoseOfTheMotionWhereverTheWorldsBegin)
 {
   const auto errors = allErrors(squareSeenAs(spoiled));
   const Pose2 T_elsewhere{100, -50, -1.2};
@@ -88,7 +88,7 @@ TEST(PathErrorsTest, areThoseOfTheMotionWhereverTheWorldsBegin)
   expectSame(allErrors(moved), errors);
 }
 
-TEST(PathErrorsTest, areTheSameInAMirror)
+TEST(PathErrorsTest, AreTheSameInAMirror)
 {
   const auto mirrored = [](const Pose2& p) { return Pose2{p.x_m, -p.y_m, wrapAngle(-p.phi_rad)}; };
   Common common = squareSeenAs(spoiled);
@@ -101,7 +101,7 @@ TEST(PathErrorsTest, areTheSameInAMirror)
   expectSame(allErrors(common), errors);
 }
 
-TEST(PathErrorsTest, noRigidMotionIsBetterThanTheAlignment)
+TEST(PathErrorsTest, NoRigidMotionIsBetterThanTheAlignment)
 {
   const Common common = squareSeenAs(spoiled);
   const auto squares_m2 = [&common](const Pose2& T_truth_estimate)
@@ -120,7 +120,7 @@ TEST(PathErrorsTest, noRigidMotionIsBetterThanTheAlignment)
   EXPECT_GT(squares_m2(layFirstPoseOver(common)), squares_m2(best));
 }
 
-TEST(PathErrorsTest, aRobotAtRestIsAlignedByItsHeading)
+TEST(PathErrorsTest, ARobotAtRestIsAlignedByItsHeading)
 {
   const Common common{{0, {2, 1, 0.5}, {5, 5, 1.5}, true}, {1, {2, 1, 0.5}, {5, 5, 1.5}, true}};
   for (const auto& error : absoluteErrors(common, align(common)))
@@ -131,7 +131,7 @@ TEST(PathErrorsTest, aRobotAtRestIsAlignedByItsHeading)
 }
 
 //  truth     o--o--o--o        estimate  x--x  x--x     one step of 1.2 m, and all after it shifted
-TEST(PathErrorsTest, oneWrongStepIsOneStepErrorAndManyOfPoses)
+TEST(PathErrorsTest, OneWrongStepIsOneStepErrorAndManyOfPoses)
 {
   const Common common = squareSeenAs(
       [](std::size_t i, const Pose2& pose) {
@@ -146,7 +146,7 @@ TEST(PathErrorsTest, oneWrongStepIsOneStepErrorAndManyOfPoses)
     EXPECT_NEAR(poses[i].translation_m, i < 3 ? 0 : 0.2, 1e-12) << i;
 }
 
-TEST(PathErrorsTest, stepsRunBetweenMeasuredPoses)
+TEST(PathErrorsTest, StepsRunBetweenMeasuredPoses)
 {
   Common common = squareSeenAs([](std::size_t, const Pose2& pose) { return pose; });
   common[1].isMeasured = common[2].isMeasured = false;
@@ -156,7 +156,7 @@ TEST(PathErrorsTest, stepsRunBetweenMeasuredPoses)
   for (const auto& step : steps) EXPECT_NEAR(step.translation_m, 0, 1e-12);
 }
 
-TEST(PathErrorsTest, aWrongScaleDriftsEvenlyAlongAStraight)
+TEST(PathErrorsTest, AWrongScaleDriftsEvenlyAlongAStraight)
 {
   Common common;
   for (int i = 0; i <= 40; ++i)
@@ -172,14 +172,14 @@ TEST(PathErrorsTest, aWrongScaleDriftsEvenlyAlongAStraight)
   EXPECT_TRUE(driftErrors(common, 12.1).empty());
 }
 
-TEST(PathErrorsTest, theTruePathIsMeasured)
+TEST(PathErrorsTest, TheTruePathIsMeasured)
 {
   const auto lengths_m = truePathLengths_m(squareSeenAs(spoiled));
   ASSERT_EQ(lengths_m.size(), 17u);
   for (std::size_t i = 0; i < 17; ++i) EXPECT_NEAR(lengths_m[i], static_cast<double>(i), 1e-12);
 }
 
-TEST(PathErrorsTest, withoutPosesThereIsNoError)
+TEST(PathErrorsTest, WithoutPosesThereIsNoError)
 {
   EXPECT_TRUE(isNearly(align({}), {}, 0, 0));
   EXPECT_TRUE(isNearly(layFirstPoseOver({}), {}, 0, 0));

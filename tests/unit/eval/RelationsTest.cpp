@@ -49,7 +49,7 @@ double largest_m(const std::vector<RelationError>& errors)
   return largest;
 }
 
-TEST_F(RelationsTest, areReadAndProjectedToThePlane)
+TEST_F(RelationsTest, AreReadAndProjectedToThePlane)
 {
   const auto relations = read(
       "# t1 t2 x y z roll pitch yaw\n% more\n\n"
@@ -62,7 +62,7 @@ TEST_F(RelationsTest, areReadAndProjectedToThePlane)
   EXPECT_NEAR(relations[1].T_from_to.phi_rad, 4 - 2 * kPi, 1e-12);
 }
 
-TEST_F(RelationsTest, damagedFilesAreRefusedWithTheirLine)
+TEST_F(RelationsTest, DamagedFilesAreRefusedWithTheirLine)
 {
   const auto complaint = [this](const std::string& text)
   { return thrownText<TrajectoryFileError>([&] { read(text); }); };
@@ -74,7 +74,7 @@ TEST_F(RelationsTest, damagedFilesAreRefusedWithTheirLine)
                    {"/no/such/file", "no such file"}));
 }
 
-TEST_F(RelationsTest, aPerfectTrajectoryHasNoErrorWhereverItsWorldBegins)
+TEST_F(RelationsTest, APerfectTrajectoryHasNoErrorWhereverItsWorldBegins)
 {
   const Pose2 T_other_world{-7, 3, 2};
   Trajectory moved = kCorner;
@@ -94,7 +94,7 @@ TEST_F(RelationsTest, aPerfectTrajectoryHasNoErrorWhereverItsWorldBegins)
   }
 }
 
-TEST_F(RelationsTest, theErrorIsThatOfTheMotionNotOfThePose)
+TEST_F(RelationsTest, TheErrorIsThatOfTheMotionNotOfThePose)
 {
   Trajectory estimate = kCorner;
   estimate[1].pose.y_m += 0.3;  // one pose off the path: only the relations that touch it err
@@ -107,7 +107,7 @@ TEST_F(RelationsTest, theErrorIsThatOfTheMotionNotOfThePose)
   for (const std::size_t i : {2, 3, 4}) EXPECT_NEAR(errors[i].error_m, 0, 1e-12);
 }
 
-TEST_F(RelationsTest, aPoseCountsWithinTheToleranceOfItsStamp)
+TEST_F(RelationsTest, APoseCountsWithinTheToleranceOfItsStamp)
 {
   Trajectory estimate = kCorner;
   for (auto& [stamp_s, pose] : estimate) stamp_s += 0.9 * kStampTolerance_s;
@@ -118,7 +118,7 @@ TEST_F(RelationsTest, aPoseCountsWithinTheToleranceOfItsStamp)
   EXPECT_TRUE(relationErrors(kCorner, {}).empty());
 }
 
-TEST_F(RelationsTest, relationsThatAreNotCoveredAreLeftOut)
+TEST_F(RelationsTest, RelationsThatAreNotCoveredAreLeftOut)
 {
   const Trajectory end(kCorner.begin() + 2, kCorner.end());
   const auto errors = relationErrors(end, kTrueRelations);
@@ -126,7 +126,7 @@ TEST_F(RelationsTest, relationsThatAreNotCoveredAreLeftOut)
   EXPECT_NEAR(errors[0].error_m, 0, 1e-12);
 }
 
-TEST_F(RelationsTest, theNearestPoseCounts)
+TEST_F(RelationsTest, TheNearestPoseCounts)
 {
   Trajectory estimate = kCorner;
   estimate.insert(estimate.begin() + 1, {1 - 0.01, {50, 0, 0}});
@@ -134,7 +134,7 @@ TEST_F(RelationsTest, theNearestPoseCounts)
   EXPECT_NEAR(largest_m(relationErrors(estimate, kTrueRelations)), 0, 1e-12);
 }
 
-TEST_F(RelationsTest, stampsMayGoBackwards)
+TEST_F(RelationsTest, StampsMayGoBackwards)
 {
   const Trajectory reversed(kCorner.rbegin(), kCorner.rend());
   const auto errors = relationErrors(reversed, kTrueRelations);
@@ -142,7 +142,7 @@ TEST_F(RelationsTest, stampsMayGoBackwards)
   EXPECT_NEAR(largest_m(errors), 0, 1e-12);
 }
 
-TEST_F(RelationsTest, ofPosesWithOneStampTheFirstCounts)
+TEST_F(RelationsTest, OfPosesWithOneStampTheFirstCounts)
 {
   Trajectory estimate = kCorner;
   estimate.insert(estimate.begin() + 2, {1, {50, 0, 0}});
@@ -158,7 +158,7 @@ TEST_F(RelationsTest, ofPosesWithOneStampTheFirstCounts)
   }
 }
 
-TEST_F(RelationsTest, areToldApartByTheTimeTheySpan)
+TEST_F(RelationsTest, AreToldApartByTheTimeTheySpan)
 {
   const std::vector<RelationError> errors{{1, 0.1, 0}, {5, 0.2, 0}, {60, 0.4, 0}};
   EXPECT_EQ(errorsSpanning(errors).size(), 3u);
@@ -175,7 +175,7 @@ TEST_F(RelationsTest, areToldApartByTheTimeTheySpan)
   EXPECT_NEAR(statistics.shortSpans.translation_m.mean, 0, 1e-12);
 }
 
-TEST_F(RelationsTest, ofRealLogsAreRead)
+TEST_F(RelationsTest, OfRealLogsAreRead)
 {
   const char* folder = std::getenv("PSMKS_DATA_DIR");
   if (!folder) GTEST_SKIP() << "PSMKS_DATA_DIR is not set";

@@ -9,7 +9,7 @@ namespace psmks
 {
 namespace
 {
-TEST(TrajectoryErrorTest, theErrorIsMeasuredFromTheFirstCommonPose)
+TEST(TrajectoryErrorTest, TheErrorIsMeasuredFromTheFirstCommonPose)
 {
   //  truth, turned by 90 degrees and moved:  (5, 5) -> (5, 6) -> (5, 7)
   const Trajectory truth{{0, {5, 5, kPi / 2}}, {1, {5, 6, kPi / 2}}, {2, {5, 7, kPi / 2}}};
@@ -22,7 +22,7 @@ TEST(TrajectoryErrorTest, theErrorIsMeasuredFromTheFirstCommonPose)
   EXPECT_NEAR(error.max_rad, 0.1, 1e-12);
 }
 
-TEST(TrajectoryErrorTest, theTruthIsInterpolatedButNotAcrossGaps)
+TEST(TrajectoryErrorTest, TheTruthIsInterpolatedButNotAcrossGaps)
 {
   const Trajectory truth{{0, {0, 0, 3.1}}, {1, {1, 0, -3.1}}, {9, {9, 0, -3.1}}};
   const double halfTurn = kPi;

@@ -26,7 +26,7 @@ class TrajectoryTest : public testing::Test
   const std::string path_ = folder_.path("trajectory");
 };
 
-TEST_F(TrajectoryTest, tumIsReadAsItIsWritten)
+TEST_F(TrajectoryTest, TumIsReadAsItIsWritten)
 {
   const Trajectory written{{1600000000.123456789, {1, -2, degToRad(170)}},
                            {1600000000.5, {3, 4, degToRad(-30)}}};
@@ -42,7 +42,7 @@ TEST_F(TrajectoryTest, tumIsReadAsItIsWritten)
   }
 }
 
-TEST_F(TrajectoryTest, mrptGroundTruthIsReadAsItIsWritten)
+TEST_F(TrajectoryTest, MrptGroundTruthIsReadAsItIsWritten)
 {
   const Trajectory written{{1e9, {1, -2, degToRad(170)}}, {1e9 + 0.5, {3, 4, degToRad(-30)}}};
   std::ostringstream text;
@@ -56,7 +56,7 @@ TEST_F(TrajectoryTest, mrptGroundTruthIsReadAsItIsWritten)
   }
 }
 
-TEST_F(TrajectoryTest, mrptGroundTruthIsReadAndCommentsAreSkipped)
+TEST_F(TrajectoryTest, MrptGroundTruthIsReadAndCommentsAreSkipped)
 {
   const Trajectory trajectory = read("% time x y phi\n# another\n\n10.5 1 2 3\n11 4 5 -3 % end\n");
   ASSERT_EQ(trajectory.size(), 2u);
@@ -64,7 +64,7 @@ TEST_F(TrajectoryTest, mrptGroundTruthIsReadAndCommentsAreSkipped)
   EXPECT_TRUE(isNearly(trajectory[1].pose, {4, 5, -3}, 1e-12, 1e-12));
 }
 
-TEST_F(TrajectoryTest, damagedFilesAreRefusedWithTheirLine)
+TEST_F(TrajectoryTest, DamagedFilesAreRefusedWithTheirLine)
 {
   EXPECT_NE(
       test::thrownText<TrajectoryFileError>([&] { read("1 2 3 4\n1 2 3\n"); }).find(":2: expected"),
@@ -79,7 +79,7 @@ TEST_F(TrajectoryTest, damagedFilesAreRefusedWithTheirLine)
             std::string::npos);
 }
 
-TEST_F(TrajectoryTest, stampsThatGoBackwardsAreReadWhereTheyAreExpected)
+TEST_F(TrajectoryTest, StampsThatGoBackwardsAreReadWhereTheyAreExpected)
 {
   std::ofstream(path_) << "2 0 0 0\n1 5 0 0\n1 6 0 0\n";
   const Trajectory trajectory = readTrajectory(path_, StampOrder::Any);

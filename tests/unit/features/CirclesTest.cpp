@@ -86,7 +86,7 @@ Eigen::Vector3d errorOf(const Circle& circle, const Eigen::Vector2d& centre_m, d
 }
 }  // namespace
 
-TEST_F(CirclesTest, pillarsPolesAndTrunksAreFound)
+TEST_F(CirclesTest, PillarsPolesAndTrunksAreFound)
 {
   for (const double radius_m : {0.08, 0.15, 0.3, 0.6})
     for (const double bearing_rad : {-1.2, 0.0, 0.7})
@@ -106,7 +106,7 @@ TEST_F(CirclesTest, pillarsPolesAndTrunksAreFound)
     }
 }
 
-TEST_F(CirclesTest, twoBesideEachOtherAreTwo)
+TEST_F(CirclesTest, TwoBesideEachOtherAreTwo)
 {
   seePillar({3, 0.6}, 0.3);
   seePillar({4, -0.6}, 0.4);
@@ -116,14 +116,14 @@ TEST_F(CirclesTest, twoBesideEachOtherAreTwo)
   EXPECT_NEAR(circles[1].radius_m, 0.3, 1e-3);
 }
 
-TEST_F(CirclesTest, threeRaysAreTooFew)
+TEST_F(CirclesTest, ThreeRaysAreTooFew)
 {
   ASSERT_EQ(seePillar({3, 0}, 0.1), 3);
   EXPECT_TRUE(found().empty());
 }
 
 //    o-o-o-o-o-o-o      as wide as a pillar
-TEST_F(CirclesTest, aStraightWallIsNone)
+TEST_F(CirclesTest, AStraightWallIsNone)
 {
   seeLine({3, 0.1, Eigen::Matrix2d::Zero()}, 85, 95);
   EXPECT_TRUE(found().empty());
@@ -141,7 +141,7 @@ TEST_F(CirclesTest, aStraightWallIsNone)
 //      . .           2 m ahead: rooms are hollow, boxes stand out
 //     .   .  box     .   .  room
 //                     . .
-TEST_F(CirclesTest, aCornerIsNone)
+TEST_F(CirclesTest, ACornerIsNone)
 {
   for (const double leftFace_rad : {degToRad(-45), degToRad(45)})
   {
@@ -153,7 +153,7 @@ TEST_F(CirclesTest, aCornerIsNone)
 }
 
 // A room with a round end, seen from inside: its rays do not face the scanner with their near side.
-TEST_F(CirclesTest, aHollowCurveIsNone)
+TEST_F(CirclesTest, AHollowCurveIsNone)
 {
   for (int ray = 60; ray <= 120; ++ray)
   {
@@ -164,7 +164,7 @@ TEST_F(CirclesTest, aHollowCurveIsNone)
   EXPECT_TRUE(found().empty());
 }
 
-TEST_F(CirclesTest, raysOnALongWallAreLeftAlone)
+TEST_F(CirclesTest, RaysOnALongWallAreLeftAlone)
 {
   seePillar({3, 0}, 0.3);
   Segment wall;
@@ -178,7 +178,7 @@ TEST_F(CirclesTest, raysOnALongWallAreLeftAlone)
 //        o o o       a pillar near by is seen by many rays, a few of which passed for a wall
 //      x       x
 //     x         x
-TEST_F(CirclesTest, aShortSegmentIsTakenForPartOfAnArc)
+TEST_F(CirclesTest, AShortSegmentIsTakenForPartOfAnArc)
 {
   const int rays = seePillar({1.5, 0}, 0.5);
   Segment wall;
@@ -196,7 +196,7 @@ TEST_F(CirclesTest, aShortSegmentIsTakenForPartOfAnArc)
 
 // The covariance is that of the errors: their normalised squares are 3 in the mean, 2 of the centre
 // alone.
-TEST_F(CirclesTest, theCovarianceIsThatOfTheErrors)
+TEST_F(CirclesTest, TheCovarianceIsThatOfTheErrors)
 {
   constexpr int kTrials = 1000;
   const Eigen::Vector2d centre_m(2.5, 0.4);
@@ -224,7 +224,7 @@ TEST_F(CirclesTest, theCovarianceIsThatOfTheErrors)
 //     ##  o o o  ##    Of a short arc, between two things that hide the rest of the pillar, what
 //     faces
 //         |            the scanner is known far better than the centre.
-TEST_F(CirclesTest, theNearSideIsKnownBest)
+TEST_F(CirclesTest, TheNearSideIsKnownBest)
 {
   seePillar({2.4, 0}, 0.6);
   std::fill(scan_.valid.begin(), scan_.valid.begin() + 83, std::uint8_t{0});

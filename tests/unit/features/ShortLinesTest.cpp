@@ -53,7 +53,7 @@ class ShortLinesTest : public testing::Test
 };
 }  // namespace
 
-TEST_F(ShortLinesTest, threeRaysOnAFarWallAreALine)
+TEST_F(ShortLinesTest, ThreeRaysOnAFarWallAreALine)
 {
   see(kFarWall, kAhead - 1, kAhead + 1);
   const auto lines = found();
@@ -67,7 +67,7 @@ TEST_F(ShortLinesTest, threeRaysOnAFarWallAreALine)
 }
 
 // Its direction is known by the angle that a centimetre of noise makes at its ends: 2.9 degrees.
-TEST_F(ShortLinesTest, theirUncertaintyIsThatOfTheirFewRays)
+TEST_F(ShortLinesTest, TheirUncertaintyIsThatOfTheirFewRays)
 {
   see(kFarWall, kAhead - 1, kAhead + 1);
   const double end_m = 8 * std::tan(degToRad(1));
@@ -75,13 +75,13 @@ TEST_F(ShortLinesTest, theirUncertaintyIsThatOfTheirFewRays)
   EXPECT_NEAR(std::sqrt(found().at(0).line.covariance(1, 1)), expected_rad, 0.01 * expected_rad);
 }
 
-TEST_F(ShortLinesTest, twoRaysAreNone)
+TEST_F(ShortLinesTest, TwoRaysAreNone)
 {
   see(kFarWall, kAhead, kAhead + 1);
   EXPECT_TRUE(found().empty());
 }
 
-TEST_F(ShortLinesTest, raysThatBendByMoreThanTheNoiseAreNone)
+TEST_F(ShortLinesTest, RaysThatBendByMoreThanTheNoiseAreNone)
 {
   see(kFarWall, kAhead - 1, kAhead + 1);
   move(kAhead, 0.01);
@@ -93,7 +93,7 @@ TEST_F(ShortLinesTest, raysThatBendByMoreThanTheNoiseAreNone)
 }
 
 // A leg of a chair 2 m ahead: its 7 cm may be round.
-TEST_F(ShortLinesTest, whatIsAsThinAsALegIsNone)
+TEST_F(ShortLinesTest, WhatIsAsThinAsALegIsNone)
 {
   see({2, 0, Eigen::Matrix2d::Zero()}, kAhead - 1, kAhead + 1);
   EXPECT_TRUE(found().empty());
@@ -101,7 +101,7 @@ TEST_F(ShortLinesTest, whatIsAsThinAsALegIsNone)
 
 //        o--o--o--o            two walls, one 2 m before the other
 //                   o--o--o--o
-TEST_F(ShortLinesTest, aStepSeparates)
+TEST_F(ShortLinesTest, AStepSeparates)
 {
   see(kFarWall, 86, 89);
   see({6, 0, Eigen::Matrix2d::Zero()}, 90, 93);
@@ -113,7 +113,7 @@ TEST_F(ShortLinesTest, aStepSeparates)
   EXPECT_EQ(lines[1].firstRay, 90);
 }
 
-TEST_F(ShortLinesTest, aRayWithoutReturnSeparates)
+TEST_F(ShortLinesTest, ARayWithoutReturnSeparates)
 {
   see(kFarWall, 86, 92);
   scan_.valid[89] = 0;
@@ -122,7 +122,7 @@ TEST_F(ShortLinesTest, aRayWithoutReturnSeparates)
   EXPECT_EQ(found()[1].firstRay, 90);
 }
 
-TEST_F(ShortLinesTest, raysOfSegmentsAreLeftAlone)
+TEST_F(ShortLinesTest, RaysOfSegmentsAreLeftAlone)
 {
   see(kFarWall, 86, 92);
   scan_.segments.resize(1);
@@ -133,7 +133,7 @@ TEST_F(ShortLinesTest, raysOfSegmentsAreLeftAlone)
   EXPECT_EQ(found()[0].firstRay, 90);
 }
 
-TEST_F(ShortLinesTest, raysOfCirclesAreLeftAlone)
+TEST_F(ShortLinesTest, RaysOfCirclesAreLeftAlone)
 {
   see(kFarWall, 86, 92);
   for (std::size_t ray = 86; ray <= 89; ++ray) circleOfRay_[ray] = 0;
@@ -143,7 +143,7 @@ TEST_F(ShortLinesTest, raysOfCirclesAreLeftAlone)
 
 //   -----------------o--o--o-----   a wall half a metre to the left, seen along
 //   ^ scanner
-TEST_F(ShortLinesTest, grazingRaysAreNone)
+TEST_F(ShortLinesTest, GrazingRaysAreNone)
 {
   const Line beside{0.5, kPi / 2, Eigen::Matrix2d::Zero()};
   see(beside, kAhead + 8, kAhead + 10);

@@ -80,7 +80,7 @@ class CarmenReaderTest : public testing::Test
   int stampsMadeUp_ = 0;
 };
 
-TEST_F(CarmenReaderTest, scansComeWithTheirStampsRangesAndTheRobotsMotion)
+TEST_F(CarmenReaderTest, ScansComeWithTheirStampsRangesAndTheRobotsMotion)
 {
   auto ranges_m = kRanges_m;
   ranges_m[3] = 1.25;
@@ -100,7 +100,7 @@ TEST_F(CarmenReaderTest, scansComeWithTheirStampsRangesAndTheRobotsMotion)
 
 //   number of rays even: the ray at +90 degrees is missing      \  |  /
 //   number of rays odd: both ends are there                  - - - o - - -
-TEST_F(CarmenReaderTest, bearingsBeginAtTheRightEndOfTheHalfCircle)
+TEST_F(CarmenReaderTest, BearingsBeginAtTheRightEndOfTheHalfCircle)
 {
   expectBearings("", 180, -90, 89);
   expectBearings("", 181, -90, 90);
@@ -108,7 +108,7 @@ TEST_F(CarmenReaderTest, bearingsBeginAtTheRightEndOfTheHalfCircle)
   expectBearings("", 361, -90, 90);
 }
 
-TEST_F(CarmenReaderTest, parametersStateResolutionAndFieldOfView)
+TEST_F(CarmenReaderTest, ParametersStateResolutionAndFieldOfView)
 {
   const std::string quarter = "PARAM laser_front_laser_resolution 0.25 0 host 0\n";
   expectBearings(quarter, 401, -50, 50);
@@ -116,7 +116,7 @@ TEST_F(CarmenReaderTest, parametersStateResolutionAndFieldOfView)
   expectBearings("PARAM laser_front_laser_resolution 1 0 host 0\n", 361, -90, 90);  // not round
 }
 
-TEST_F(CarmenReaderTest, whatTheUserKnowsGoesBeforeTheParameters)
+TEST_F(CarmenReaderTest, WhatTheUserKnowsGoesBeforeTheParameters)
 {
   CarmenOptions options;
   options.increment_rad = degToRad(0.5);
@@ -127,13 +127,13 @@ TEST_F(CarmenReaderTest, whatTheUserKnowsGoesBeforeTheParameters)
   expectBearings("", 361, -180, 180 - 360.0 / 361, options);
 }
 
-TEST_F(CarmenReaderTest, aFieldOfViewThatNothingStatesIsRemarkedOn)
+TEST_F(CarmenReaderTest, AFieldOfViewThatNothingStatesIsRemarkedOn)
 {
   expectBearings("", 91, -90, 90);
   expectRemark("nothing states the field of view of 91 rays");
 }
 
-TEST_F(CarmenReaderTest, theLaserSitsWhereTheParametersPutIt)
+TEST_F(CarmenReaderTest, TheLaserSitsWhereTheParametersPutIt)
 {
   const std::string text =
       "PARAM robot_frontlaser_offset 0.3 0 host 0\n"
@@ -149,7 +149,7 @@ TEST_F(CarmenReaderTest, theLaserSitsWhereTheParametersPutIt)
   EXPECT_EQ(scansOfSensors_, (std::map<std::string, int>{{"FLASER", 1}, {"RLASER", 1}}));
 }
 
-TEST_F(CarmenReaderTest, aRobotLaserStatesItsScanner)
+TEST_F(CarmenReaderTest, ARobotLaserStatesItsScanner)
 {
   // 5 rays from -100 to +100 degrees, 20 cm ahead of the robot at (1, 2), which looks to the left.
   const std::string scanner = "ROBOTLASER1 0 -1.745329252 3.490658504 0.872664626 30 0.02 0";
@@ -169,7 +169,7 @@ TEST_F(CarmenReaderTest, aRobotLaserStatesItsScanner)
   }
 }
 
-TEST_F(CarmenReaderTest, rangesThatAreNoReturnsAreFlagged)
+TEST_F(CarmenReaderTest, RangesThatAreNoReturnsAreFlagged)
 {
   auto ranges_m = kRanges_m;
   ranges_m[1] = 81.91;
@@ -185,7 +185,7 @@ TEST_F(CarmenReaderTest, rangesThatAreNoReturnsAreFlagged)
   EXPECT_EQ(frames[0].scan->maxRange, 80.f);
 }
 
-TEST_F(CarmenReaderTest, theRangeLimitIsThatOfTheUserOrOfTheParameters)
+TEST_F(CarmenReaderTest, TheRangeLimitIsThatOfTheUserOrOfTheParameters)
 {
   const std::string text = "PARAM robot_front_laser_max 2.5 0 host 0\n" + flaser(kRanges_m, {}, 1);
   EXPECT_FALSE(framesOf(text)[0].scan->getScanRangeValidity(4));
@@ -194,7 +194,7 @@ TEST_F(CarmenReaderTest, theRangeLimitIsThatOfTheUserOrOfTheParameters)
   EXPECT_TRUE(framesOf(text, options)[0].scan->getScanRangeValidity(4));
 }
 
-TEST_F(CarmenReaderTest, odomMessagesStandInForScansWithoutOdometry)
+TEST_F(CarmenReaderTest, OdomMessagesStandInForScansWithoutOdometry)
 {
   const auto frames =
       framesOf(odom({0, 0, 0}, 1.0) + flaser(kRanges_m, {}, 1.0) + odom({0.1, 0, 0}, 1.5) +
@@ -205,7 +205,7 @@ TEST_F(CarmenReaderTest, odomMessagesStandInForScansWithoutOdometry)
   expectRemark("that of the ODOM messages stands in");
 }
 
-TEST_F(CarmenReaderTest, stampsAreIpcsUnlessTheyAreZeroOrTheUserWantsTheLoggers)
+TEST_F(CarmenReaderTest, StampsAreIpcsUnlessTheyAreZeroOrTheUserWantsTheLoggers)
 {
   const std::string both = flaser(kRanges_m, {}, 100, 1) + flaser(kRanges_m, {}, 101, 2);
   EXPECT_EQ(framesOf(both)[0].stamp_s, 100);
@@ -216,7 +216,7 @@ TEST_F(CarmenReaderTest, stampsAreIpcsUnlessTheyAreZeroOrTheUserWantsTheLoggers)
   EXPECT_EQ(stampsMadeUp_, 0);
 }
 
-TEST_F(CarmenReaderTest, whereBothStampsAreZeroTheyAreMadeUp)
+TEST_F(CarmenReaderTest, WhereBothStampsAreZeroTheyAreMadeUp)
 {
   std::string nobodysLog = flaser(kRanges_m, {}, 0) + flaser(kRanges_m, {}, 0);
   const auto frames = framesOf(nobodysLog);
@@ -226,7 +226,7 @@ TEST_F(CarmenReaderTest, whereBothStampsAreZeroTheyAreMadeUp)
   EXPECT_EQ(frames[0].scan->timestamp, INVALID_TIMESTAMP);
 }
 
-TEST_F(CarmenReaderTest, stampsThatRepeatOrGoBackAreKeptAndRemarkedOn)
+TEST_F(CarmenReaderTest, StampsThatRepeatOrGoBackAreKeptAndRemarkedOn)
 {
   std::string text;
   for (const double stamp_s : {1.0, 2.0, 2.0, 1.5, 3.0}) text += flaser(kRanges_m, {}, stamp_s);
@@ -237,7 +237,7 @@ TEST_F(CarmenReaderTest, stampsThatRepeatOrGoBackAreKeptAndRemarkedOn)
   expectRemark("1 scan with an earlier stamp than the scan before, in line 4");
 }
 
-TEST_F(CarmenReaderTest, malformedMessagesAreSkippedAndCounted)
+TEST_F(CarmenReaderTest, MalformedMessagesAreSkippedAndCounted)
 {
   const std::string good = flaser(kRanges_m, {}, 1);
   std::string tooFew = good, tooMany = good, noNumber = good, noPose = good;
@@ -253,14 +253,14 @@ TEST_F(CarmenReaderTest, malformedMessagesAreSkippedAndCounted)
   EXPECT_EQ(damage_, "");
 }
 
-TEST_F(CarmenReaderTest, linesMayEndAsOnDos)
+TEST_F(CarmenReaderTest, LinesMayEndAsOnDos)
 {
   std::string text = flaser(kRanges_m, {}, 1);
   text.insert(text.size() - 1, "\r");
   EXPECT_EQ(framesOf(text).size(), 1u);
 }
 
-TEST_F(CarmenReaderTest, missingEmptyAndForeignFilesAreDamage)
+TEST_F(CarmenReaderTest, MissingEmptyAndForeignFilesAreDamage)
 {
   read();
   EXPECT_NE(damage_.find("no such file"), std::string::npos);
@@ -270,7 +270,7 @@ TEST_F(CarmenReaderTest, missingEmptyAndForeignFilesAreDamage)
   EXPECT_NE(damage_.find("not a CARMEN log: none of its 2 lines"), std::string::npos) << damage_;
 }
 
-TEST_F(CarmenReaderTest, aCutGzippedLogYieldsTheScansBeforeTheCut)
+TEST_F(CarmenReaderTest, ACutGzippedLogYieldsTheScansBeforeTheCut)
 {
   mrpt::io::CFileGZOutputStream file(path_);
   for (int i = 1; i <= 400; ++i)
@@ -291,7 +291,7 @@ TEST_F(CarmenReaderTest, aCutGzippedLogYieldsTheScansBeforeTheCut)
   EXPECT_TRUE(remarks_.empty()) << testing::PrintToString(remarks_);
 }
 
-TEST_F(CarmenReaderTest, aRealLogIsReadWhole)
+TEST_F(CarmenReaderTest, ARealLogIsReadWhole)
 {
   const char* folder = std::getenv("PSMKS_DATA_DIR");
   if (!folder) GTEST_SKIP() << "PSMKS_DATA_DIR is not set";

@@ -128,7 +128,7 @@ std::vector<double> unevenRanges(int rays)
   return ranges_m;
 }
 
-TEST_F(CarmenWriterTest, flasersOfAllUsualKindsComeBack)
+TEST_F(CarmenWriterTest, FlasersOfAllUsualKindsComeBack)
 {
   for (const int rays : {180, 181, 360, 361, 401})
   {
@@ -141,7 +141,7 @@ TEST_F(CarmenWriterTest, flasersOfAllUsualKindsComeBack)
   }
 }
 
-TEST_F(CarmenWriterTest, aRobotLaserOnTheSideComesBack)
+TEST_F(CarmenWriterTest, ARobotLaserOnTheSideComesBack)
 {
   const std::string scanner = "ROBOTLASER1 99 -2.0943951 4.1887902 0.0104719755 5.6 0.01 0";
   std::string text;
@@ -152,7 +152,7 @@ TEST_F(CarmenWriterTest, aRobotLaserOnTheSideComesBack)
   expectRoundTrip(written(text));
 }
 
-TEST_F(CarmenWriterTest, stampsThatGoBackComeBack)
+TEST_F(CarmenWriterTest, StampsThatGoBackComeBack)
 {
   std::string text;
   for (const double stamp_s : {5.0, 6.0, 6.0, 5.5, 5.0, 7.0})
@@ -160,13 +160,13 @@ TEST_F(CarmenWriterTest, stampsThatGoBackComeBack)
   expectRoundTrip(written(text));
 }
 
-TEST_F(CarmenWriterTest, aLogWithoutStampsGetsThoseThatWereMadeUp)
+TEST_F(CarmenWriterTest, ALogWithoutStampsGetsThoseThatWereMadeUp)
 {
   expectRoundTrip(
       written(flaser(unevenRanges(181), {}, 0) + flaser(unevenRanges(181), {1, 0, 0}, 0)));
 }
 
-TEST_F(CarmenWriterTest, theRayThatClosesTheCircleIsDropped)
+TEST_F(CarmenWriterTest, TheRayThatClosesTheCircleIsDropped)
 {
   LaserFrame frame;
   frame.scan = mrpt::obs::CObservation2DRangeScan::Create();
@@ -180,7 +180,7 @@ TEST_F(CarmenWriterTest, theRayThatClosesTheCircleIsDropped)
   EXPECT_NEAR(std::abs(firstBearing_rad(frames[0])), kPi, 1e-6);
 }
 
-TEST_F(CarmenWriterTest, aScannerThatChangesIsRefused)
+TEST_F(CarmenWriterTest, AScannerThatChangesIsRefused)
 {
   std::ofstream(path("original.log"))
       << flaser(unevenRanges(181), {}, 1) << flaser(unevenRanges(361), {}, 2);
@@ -192,12 +192,12 @@ TEST_F(CarmenWriterTest, aScannerThatChangesIsRefused)
   EXPECT_THROW(writer.write(frames[1]), std::runtime_error);
 }
 
-TEST_F(CarmenWriterTest, aFileThatCannotBeCreatedIsTold)
+TEST_F(CarmenWriterTest, AFileThatCannotBeCreatedIsTold)
 {
   EXPECT_FALSE(CarmenWriter().open(path("no/folder/a.log")));
 }
 
-TEST_F(CarmenWriterTest, aRealLogComesBack)
+TEST_F(CarmenWriterTest, ARealLogComesBack)
 {
   const char* folder = std::getenv("PSMKS_DATA_DIR");
   if (!folder) GTEST_SKIP() << "PSMKS_DATA_DIR is not set";

@@ -15,7 +15,7 @@ NoReturnReading readings(double nearest_m, double farthest_m, double step_m)
   return reading;
 }
 
-TEST(NoReturnReading, ofASickAreAllCodesBeyondItsRange)
+TEST(NoReturnReading, OfASickAreAllCodesBeyondItsRange)
 {
   NoReturnReading reading = readings(1, 40, 0.01);
   reading.add(81.83);
@@ -23,14 +23,14 @@ TEST(NoReturnReading, ofASickAreAllCodesBeyondItsRange)
   EXPECT_EQ(reading.limit_m(), 80);
 }
 
-TEST(NoReturnReading, standsOutAmongTheLargest)
+TEST(NoReturnReading, StandsOutAmongTheLargest)
 {
   NoReturnReading reading = readings(1, 5.5, 0.01);
   for (int i = 0; i < 100; ++i) reading.add(5.6);
   EXPECT_EQ(reading.limit_m(), 5.6);
 }
 
-TEST(NoReturnReading, isNotTheFarthestWall)
+TEST(NoReturnReading, IsNotTheFarthestWall)
 {
   NoReturnReading reading = readings(1, 7, 0.01);
   for (int i = 0; i < 20; ++i) reading.add(7);
@@ -38,7 +38,7 @@ TEST(NoReturnReading, isNotTheFarthestWall)
   EXPECT_GT(readings(1, 120, 0.1).limit_m(), 120);
 }
 
-TEST(NoReturnReading, isNothingThatIsNoRange)
+TEST(NoReturnReading, IsNothingThatIsNoRange)
 {
   NoReturnReading reading;
   for (int i = 0; i < 100; ++i)

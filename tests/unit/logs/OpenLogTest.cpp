@@ -22,7 +22,7 @@ class OpenLogTest : public testing::Test
   const std::string path_ = folder_.path("file");
 };
 
-TEST_F(OpenLogTest, theContentTellsTheKindWhateverTheName)
+TEST_F(OpenLogTest, TheContentTellsTheKindWhateverTheName)
 {
   std::ofstream(path_) << flaser(std::vector<double>(181, 2.0), {}, 1);
   EXPECT_TRUE(dynamic_cast<CarmenReader*>(openLog(path_).get()));
@@ -32,7 +32,7 @@ TEST_F(OpenLogTest, theContentTellsTheKindWhateverTheName)
   EXPECT_TRUE(dynamic_cast<RawlogReader*>(openLog(path_).get()));
 }
 
-TEST_F(OpenLogTest, theSensorIsHandedOn)
+TEST_F(OpenLogTest, TheSensorIsHandedOn)
 {
   std::ofstream(path_) << flaser(std::vector<double>(181, 2.0), {}, 1);
   LogOptions options;
@@ -43,7 +43,7 @@ TEST_F(OpenLogTest, theSensorIsHandedOn)
   EXPECT_EQ(reader->scansOfSensors().at("FLASER"), 1);
 }
 
-TEST_F(OpenLogTest, aMissingFileGivesAReaderThatSaysSo)
+TEST_F(OpenLogTest, AMissingFileGivesAReaderThatSaysSo)
 {
   EXPECT_NE(openLog(path_)->damage().find("no such file"), std::string::npos);
 }

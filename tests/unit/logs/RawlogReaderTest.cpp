@@ -51,7 +51,7 @@ class RawlogReaderTest : public testing::Test
   std::size_t framesBeforeDamage_ = 0;
 };
 
-TEST_F(RawlogReaderTest, bothKindsOfRawlogYieldTheSameScansStampsAndOdometry)
+TEST_F(RawlogReaderTest, BothKindsOfRawlogYieldTheSameScansStampsAndOdometry)
 {
   for (const Entries& entries : {asFrames(log_), asObservations(log_)})
   {
@@ -68,7 +68,7 @@ TEST_F(RawlogReaderTest, bothKindsOfRawlogYieldTheSameScansStampsAndOdometry)
   }
 }
 
-TEST_F(RawlogReaderTest, incrementsOfSeveralActionsBeforeAScanAddUp)
+TEST_F(RawlogReaderTest, IncrementsOfSeveralActionsBeforeAScanAddUp)
 {
   Entries entries = asFrames(log_);
   entries.erase(entries.begin() + 3);  // the second sensory frame
@@ -78,7 +78,7 @@ TEST_F(RawlogReaderTest, incrementsOfSeveralActionsBeforeAScanAddUp)
   EXPECT_TRUE(isNearly(*frames[1].odometry, step * step, 1e-9, 1e-9));
 }
 
-TEST_F(RawlogReaderTest, odometryBetweenTwoReadingsIsInterpolatedAndSoonAfterThemExtrapolated)
+TEST_F(RawlogReaderTest, OdometryBetweenTwoReadingsIsInterpolatedAndSoonAfterThemExtrapolated)
 {
   Entries entries = asObservations(log_);
   // Scan 2 comes a quarter of a period after its odometry.
@@ -92,14 +92,14 @@ TEST_F(RawlogReaderTest, odometryBetweenTwoReadingsIsInterpolatedAndSoonAfterThe
   EXPECT_TRUE(isNearly(*frames[2].odometry, step * quarter, 1e-6, 1e-6));
 }
 
-TEST_F(RawlogReaderTest, scansWithoutOdometryHaveNone)
+TEST_F(RawlogReaderTest, ScansWithoutOdometryHaveNone)
 {
   Entries entries;
   for (const auto& step : log_.steps) entries.push_back(step.scan);
   for (const auto& frame : framesOf(entries)) EXPECT_FALSE(frame.odometry);
 }
 
-TEST_F(RawlogReaderTest, commentsAndOtherObservationsAreCarriedAlong)
+TEST_F(RawlogReaderTest, CommentsAndOtherObservationsAreCarriedAlong)
 {
   Entries entries = asFrames(log_);
   auto comment = mrpt::obs::CObservationComment::Create();
@@ -111,7 +111,7 @@ TEST_F(RawlogReaderTest, commentsAndOtherObservationsAreCarriedAlong)
   EXPECT_EQ(frames[1].observations.size(), 1u);
 }
 
-TEST_F(RawlogReaderTest, aScanWithoutStampHasThatOfItsActionsOrOneMadeUp)
+TEST_F(RawlogReaderTest, AScanWithoutStampHasThatOfItsActionsOrOneMadeUp)
 {
   for (const auto& step : log_.steps) step.scan->timestamp = INVALID_TIMESTAMP;
   const auto frames = framesOf(asFrames(log_));
@@ -126,7 +126,7 @@ TEST_F(RawlogReaderTest, aScanWithoutStampHasThatOfItsActionsOrOneMadeUp)
   EXPECT_GT(stampless[1].stamp_s, stampless[0].stamp_s);
 }
 
-TEST_F(RawlogReaderTest, ofSeveralScannersTheFirstOrTheOneAskedForIsRead)
+TEST_F(RawlogReaderTest, OfSeveralScannersTheFirstOrTheOneAskedForIsRead)
 {
   log_.steps[1].scan->sensorLabel = "REAR";
   writeGzipped(asFrames(log_), path_);
@@ -140,14 +140,14 @@ TEST_F(RawlogReaderTest, ofSeveralScannersTheFirstOrTheOneAskedForIsRead)
   EXPECT_EQ(readAll(rear).size(), 1u);
 }
 
-TEST_F(RawlogReaderTest, aMissingAndAnEmptyFileAreDamage)
+TEST_F(RawlogReaderTest, AMissingAndAnEmptyFileAreDamage)
 {
   EXPECT_NE(RawlogReader(path_).damage().find("no such file"), std::string::npos);
   std::ofstream(path_).close();
   EXPECT_NE(RawlogReader(path_).damage().find("empty"), std::string::npos);
 }
 
-TEST_F(RawlogReaderTest, randomBytesAreNoRawlog)
+TEST_F(RawlogReaderTest, RandomBytesAreNoRawlog)
 {
   std::ofstream(path_, std::ios::binary) << std::string(2000, '\xA7');
   RawlogReader reader(path_);
@@ -155,14 +155,14 @@ TEST_F(RawlogReaderTest, randomBytesAreNoRawlog)
   EXPECT_NE(reader.damage().find("not an MRPT rawlog"), std::string::npos);
 }
 
-TEST_F(RawlogReaderTest, aCutPlainFileYieldsTheEntriesBeforeTheCut)
+TEST_F(RawlogReaderTest, ACutPlainFileYieldsTheEntriesBeforeTheCut)
 {
   writePlain(asFrames(log_), path_);
   EXPECT_EQ(damageAfterCut(0.6), "read 9 entries, then: the file ends within entry 10");
   EXPECT_EQ(framesBeforeDamage_, 4u);
 }
 
-TEST_F(RawlogReaderTest, aCutGzippedFileYieldsTheEntriesBeforeTheCut)
+TEST_F(RawlogReaderTest, ACutGzippedFileYieldsTheEntriesBeforeTheCut)
 {
   writeGzipped(asFrames(log_), path_);
   const std::string damage = damageAfterCut(0.6);
@@ -171,7 +171,7 @@ TEST_F(RawlogReaderTest, aCutGzippedFileYieldsTheEntriesBeforeTheCut)
   EXPECT_LT(framesBeforeDamage_, log_.steps.size());
 }
 
-TEST_F(RawlogReaderTest, aGzippedFileThatLostOnlyItsLastBytesIsDamagedToo)
+TEST_F(RawlogReaderTest, AGzippedFileThatLostOnlyItsLastBytesIsDamagedToo)
 {
   writeGzipped(asFrames(log_), path_);
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 4);

@@ -81,7 +81,7 @@ std::vector<Eigen::Vector2d> points(const Scan& scan, const Pose2& T_robot_senso
   return points_m;
 }
 
-TEST_P(RawlogWriterTest, whatTheReaderFindsIsWhatWasWritten)
+TEST_P(RawlogWriterTest, WhatTheReaderFindsIsWhatWasWritten)
 {
   const auto steps = drive(BeamGrid::centered(kPi, 61));
   write(steps);
@@ -104,7 +104,7 @@ TEST_P(RawlogWriterTest, whatTheReaderFindsIsWhatWasWritten)
   }
 }
 
-TEST_P(RawlogWriterTest, theWheelsMotionStandsBetweenTheScans)
+TEST_P(RawlogWriterTest, TheWheelsMotionStandsBetweenTheScans)
 {
   const auto steps = drive(BeamGrid::centered(kPi, 61));
   write(steps);
@@ -119,7 +119,7 @@ TEST_P(RawlogWriterTest, theWheelsMotionStandsBetweenTheScans)
   }
 }
 
-TEST_P(RawlogWriterTest, theRaysPointWhereTheyDidWhateverTheGrid)
+TEST_P(RawlogWriterTest, TheRaysPointWhereTheyDidWhateverTheGrid)
 {
   for (const BeamGrid& grid : {BeamGrid::centered(kPi, 61), BeamGrid::centered(2 * kPi, 60),
                                BeamGrid(degToRad(-20), degToRad(1), 61)})
@@ -139,7 +139,7 @@ TEST_P(RawlogWriterTest, theRaysPointWhereTheyDidWhateverTheGrid)
   }
 }
 
-TEST_P(RawlogWriterTest, theSameInputGivesTheSameBytes)
+TEST_P(RawlogWriterTest, TheSameInputGivesTheSameBytes)
 {
   const auto steps = drive(BeamGrid::centered(kPi, 61));
   write(steps);
@@ -149,7 +149,7 @@ TEST_P(RawlogWriterTest, theSameInputGivesTheSameBytes)
   EXPECT_GT(first.size(), 500u);
 }
 
-TEST_P(RawlogWriterTest, mrptReadsIt)
+TEST_P(RawlogWriterTest, MrptReadsIt)
 {
   write(drive(BeamGrid::centered(kPi, 61)));
   mrpt::obs::CRawlog log;
@@ -161,7 +161,7 @@ TEST_P(RawlogWriterTest, mrptReadsIt)
   EXPECT_EQ(log.getType(1), actions ? Entry::etSensoryFrame : Entry::etObservation);
 }
 
-TEST_P(RawlogWriterTest, aFolderThatIsMissingIsTold)
+TEST_P(RawlogWriterTest, AFolderThatIsMissingIsTold)
 {
   EXPECT_FALSE(RawlogWriter({}).open("/no/such/folder/x.rawlog"));
 }
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, RawlogWriterTest,
                                                                         : "Observations";
                          });
 
-TEST(RawlogActions, areTrustedAsFarAsTheOptionsSay)
+TEST(RawlogActions, AreTrustedAsFarAsTheOptionsSay)
 {
   RawlogWriter::Options options;
   const test::ScratchFolder folder;

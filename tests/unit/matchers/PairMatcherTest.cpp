@@ -22,7 +22,7 @@ Scan roomScan(const Pose2& pose)
   return castScan(officeRoom(), pose, BeamGrid::centered(degToRad(270), 541));
 }
 
-TEST(PairMatcher, everyMatcherOfTheRegistryFindsASmallMotionInARoom)
+TEST(PairMatcher, EveryMatcherOfTheRegistryFindsASmallMotionInARoom)
 {
   for (const auto& name : pairMatcherNames())
   {
@@ -53,13 +53,13 @@ double meanError_m(const std::string& name)
   return sum_m / kSteps;
 }
 
-TEST(PairMatcher, whatIsTunedForAccuracyIsMoreAccurateThanTheDefault)
+TEST(PairMatcher, WhatIsTunedForAccuracyIsMoreAccurateThanTheDefault)
 {
   EXPECT_LT(meanError_m("icp-classic-tuned"), meanError_m("icp-classic"));
   EXPECT_LT(meanError_m("icp-lm-tuned"), meanError_m("icp-lm"));
 }
 
-TEST(PairMatcher, aReferenceThatWasSetIsMatchedAsOneThatIsGiven)
+TEST(PairMatcher, AReferenceThatWasSetIsMatchedAsOneThatIsGiven)
 {
   for (const auto& name : pairMatcherNames())
   {
@@ -73,7 +73,7 @@ TEST(PairMatcher, aReferenceThatWasSetIsMatchedAsOneThatIsGiven)
   }
 }
 
-TEST(PairMatcher, scansWithoutReturnsAreAFailureThatKeepsTheGuess)
+TEST(PairMatcher, ScansWithoutReturnsAreAFailureThatKeepsTheGuess)
 {
   for (const auto& name : pairMatcherNames())
   {
@@ -85,7 +85,7 @@ TEST(PairMatcher, scansWithoutReturnsAreAFailureThatKeepsTheGuess)
   }
 }
 
-TEST(PairMatcher, anUnknownNameIsRefusedWithTheKnownOnes)
+TEST(PairMatcher, AnUnknownNameIsRefusedWithTheKnownOnes)
 {
   const std::string text = test::thrownText<OptionError>([] { makePairMatcher("csm"); });
   EXPECT_NE(text.find("'csm'"), std::string::npos);
@@ -104,7 +104,7 @@ PairMatcherEntry guessNamed(const std::string& name)
           [](const std::string&, const MatcherOptions&) { return makePairMatcher("guess"); }};
 }
 
-TEST(PairMatcherRegistration, namesAreUniqueAndDescribedInOneLine)
+TEST(PairMatcherRegistration, NamesAreUniqueAndDescribedInOneLine)
 {
   std::set<std::string> names;
   for (const auto& entry : pairMatcherEntries())
@@ -115,14 +115,14 @@ TEST(PairMatcherRegistration, namesAreUniqueAndDescribedInOneLine)
   }
 }
 
-TEST(PairMatcherRegistration, oursAreListedFirstAndTheGuessLast)
+TEST(PairMatcherRegistration, OursAreListedFirstAndTheGuessLast)
 {
   const auto names = pairMatcherNames();
   EXPECT_EQ(names.front(), "psmks");
   EXPECT_EQ(names.back(), "guess");
 }
 
-TEST(PairMatcherRegistration, makesAMatcherKnownForAsLongAsItLives)
+TEST(PairMatcherRegistration, MakesAMatcherKnownForAsLongAsItLives)
 {
   {
     const PairMatcherRegistration registration(guessNamed("passing"));
@@ -134,7 +134,7 @@ TEST(PairMatcherRegistration, makesAMatcherKnownForAsLongAsItLives)
   EXPECT_THROW(makePairMatcher("passing"), OptionError);
 }
 
-TEST(PairMatcherRegistration, refusesANameThatIsTaken)
+TEST(PairMatcherRegistration, RefusesANameThatIsTaken)
 {
   EXPECT_THROW(PairMatcherRegistration{guessNamed("psmks")}, std::logic_error);
   EXPECT_TRUE(isKnown("psmks")) << "the one that has the name keeps it";

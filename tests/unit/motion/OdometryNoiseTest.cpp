@@ -26,19 +26,19 @@ void expectSigmas(const Eigen::Matrix3d& covariance, double sigma_m, double sigm
   EXPECT_EQ(covariance(0, 2), 0);
 }
 
-TEST(OdometryNoise, standingStillLeavesTheMinimum)
+TEST(OdometryNoise, StandingStillLeavesTheMinimum)
 {
   expectSigmas(odometryCovariance({0, 0, 0}, plainOptions()), 0.01, 0.001);
 }
 
-TEST(OdometryNoise, wayAndTurnAddTheirShares)
+TEST(OdometryNoise, WayAndTurnAddTheirShares)
 {
   // 5 m and a quarter of a turn to the right
   expectSigmas(odometryCovariance({3, 4, -kPi / 2}, plainOptions()), 0.01 + 0.5 + 0.1,
                0.001 + 0.1 + 0.2);
 }
 
-TEST(OdometryNoise, aMotionThatWasNotMeasuredHasItsOwnUncertainty)
+TEST(OdometryNoise, AMotionThatWasNotMeasuredHasItsOwnUncertainty)
 {
   OdometryOptions options = plainOptions();
   options.unknownSigma_m = 0.7;
@@ -46,7 +46,7 @@ TEST(OdometryNoise, aMotionThatWasNotMeasuredHasItsOwnUncertainty)
   expectSigmas(unknownMotionCovariance(options), 0.7, 0.3);
 }
 
-TEST(OdometryNoise, everyOptionStandsInTheTable)
+TEST(OdometryNoise, EveryOptionStandsInTheTable)
 {
   OdometryOptions options;
   OptionTable table;

@@ -36,7 +36,7 @@ using Ranges = std::vector<double>;
 //      2      seen from above, rightToLeft: ray 0 looks right, ray 2 left
 //      |
 //  3 --o-- 1
-TEST(ScanConverter, turnsRaysCounterClockwise)
+TEST(ScanConverter, TurnsRaysCounterClockwise)
 {
   CObservation2DRangeScan observation = countingScan(3, kPi);
   const Scan ccw = ScanConverter().convert(observation);
@@ -54,7 +54,7 @@ TEST(ScanConverter, turnsRaysCounterClockwise)
   EXPECT_EQ(ScanConverter().convert(observation).range_m, Ranges({3, 2, 1}));
 }
 
-TEST(ScanConverter, agreesWithMrptsPointMap)
+TEST(ScanConverter, AgreesWithMrptsPointMap)
 {
   for (const bool rightToLeft : {true, false})
     for (const CPose3D& sensorPose :
@@ -84,7 +84,7 @@ TEST(ScanConverter, agreesWithMrptsPointMap)
     }
 }
 
-TEST(ScanConverter, dropsTheRayThatCoincidesWithTheFirst)
+TEST(ScanConverter, DropsTheRayThatCoincidesWithTheFirst)
 {
   CObservation2DRangeScan observation = countingScan(5, 2 * kPi);
   const Scan scan = ScanConverter().convert(observation);
@@ -99,7 +99,7 @@ TEST(ScanConverter, dropsTheRayThatCoincidesWithTheFirst)
   EXPECT_EQ(ScanConverter().convert(observation).range_m, Ranges({5, 4, 3, 2}));
 }
 
-TEST(ScanConverter, keepsEveryRayOfDistinctBearings)
+TEST(ScanConverter, KeepsEveryRayOfDistinctBearings)
 {
   const Scan all = ScanConverter().convert(countingScan(4, 2 * kPi * 3 / 4));
   EXPECT_EQ(all.range_m, Ranges({1, 2, 3, 4}));
@@ -107,7 +107,7 @@ TEST(ScanConverter, keepsEveryRayOfDistinctBearings)
   EXPECT_FALSE(ScanConverter().convert(countingScan(5, degToRad(240))).grid.closed());
 }
 
-TEST(ScanConverter, keepsWhatIsInvalidAndSaysSo)
+TEST(ScanConverter, KeepsWhatIsInvalidAndSaysSo)
 {
   CObservation2DRangeScan observation = countingScan(4, kPi);
   observation.setScanRange(1, std::numeric_limits<float>::quiet_NaN());
@@ -122,7 +122,7 @@ TEST(ScanConverter, keepsWhatIsInvalidAndSaysSo)
   EXPECT_NEAR(scan.stamp_s, 1234.5, 1e-6);
 }
 
-TEST(ScanConverter, takesTheRangeSigmaOnlyWhereItIsStated)
+TEST(ScanConverter, TakesTheRangeSigmaOnlyWhereItIsStated)
 {
   CObservation2DRangeScan observation = countingScan(4, kPi);
   const auto sigma_m = [&](float stdError)
@@ -138,7 +138,7 @@ TEST(ScanConverter, takesTheRangeSigmaOnlyWhereItIsStated)
   EXPECT_EQ(sigma_m(std::numeric_limits<float>::quiet_NaN()), 0);
 }
 
-TEST(ScanConverter, givesNoRaysForScansWithoutBearings)
+TEST(ScanConverter, GivesNoRaysForScansWithoutBearings)
 {
   EXPECT_EQ(ScanConverter().convert(CObservation2DRangeScan()).grid.count(), 0);
   EXPECT_EQ(ScanConverter().convert(countingScan(1, kPi)).grid.count(), 0);
@@ -149,7 +149,7 @@ TEST(ScanConverter, givesNoRaysForScansWithoutBearings)
   EXPECT_EQ(ScanConverter().convert(countingScan(5, nan)).grid.count(), 0);
 }
 
-TEST(ScanConverter, sharesTheDirectionsOfOneScanner)
+TEST(ScanConverter, SharesTheDirectionsOfOneScanner)
 {
   ScanConverter converter;
   const Scan first = converter.convert(countingScan(7, kPi));
@@ -157,7 +157,7 @@ TEST(ScanConverter, sharesTheDirectionsOfOneScanner)
   EXPECT_NE(converter.convert(countingScan(8, kPi)).grid.cosines(), first.grid.cosines());
 }
 
-TEST(SensorMounting, measuresTheTilt)
+TEST(SensorMounting, MeasuresTheTilt)
 {
   CObservation2DRangeScan observation;
   const auto tilt_deg = [&](double pitch_deg, double roll_deg)
@@ -189,7 +189,7 @@ UncertainPose someMotion()
 }
 }  // namespace
 
-TEST(Conjugated, composesAsMrptDoes)
+TEST(Conjugated, ComposesAsMrptDoes)
 {
   const UncertainPose motion = someMotion();
   const CPose2D expected = toMrpt(kRef) + toMrpt(motion.pose) - CPose2D();
@@ -213,7 +213,7 @@ TEST(UncertainPose, IsSeenFromAnotherAsMrptSeesIt)
   EXPECT_LT((seenFrom(a, b).covariance - expected.covariance).norm(), 1e-15);
 }
 
-TEST(UncertainPose, goesToMrptAndBack)
+TEST(UncertainPose, GoesToMrptAndBack)
 {
   const UncertainPose motion = someMotion();
   const UncertainPose back = toUncertainPose(toMrpt(motion));

@@ -57,7 +57,7 @@ double range_m(const GridmapRanges& map, const Eigen::Vector2d& from_m, double b
   return reading ? reading->range_m : -1;
 }
 
-TEST(GridmapRanges, reachTheEdgeOfTheFirstSolidCell)
+TEST(GridmapRanges, ReachTheEdgeOfTheFirstSolidCell)
 {
   const GridmapRanges map(room());
   EXPECT_NEAR(range_m(map, {0.1, 0.1}, 0), 1.65, 1e-12);
@@ -67,21 +67,21 @@ TEST(GridmapRanges, reachTheEdgeOfTheFirstSolidCell)
   EXPECT_NEAR(range_m(map, {0.1, 0.1}, 30), 1.65 / std::cos(kPi / 6), 1e-9);
 }
 
-TEST(GridmapRanges, nameTheCellThatWasMet)
+TEST(GridmapRanges, NameTheCellThatWasMet)
 {
   const GridmapRanges map(room());
   EXPECT_EQ(map.columns(), 16);
   EXPECT_EQ(map.cast({0.1, 0.1}, toward(90), 10)->cell, 8 + 13 * 16);
 }
 
-TEST(GridmapRanges, endAtTheMaximumRangeAndNotBefore)
+TEST(GridmapRanges, EndAtTheMaximumRangeAndNotBefore)
 {
   const GridmapRanges map(room());
   EXPECT_EQ(range_m(map, {0.1, 0.1}, 0, 1.64), -1);
   EXPECT_NEAR(range_m(map, {0.1, 0.1}, 0, 1.66), 1.65, 1e-12);
 }
 
-TEST(GridmapRanges, passUnknownCellsAndLeaveTheMapThroughAGap)
+TEST(GridmapRanges, PassUnknownCellsAndLeaveTheMapThroughAGap)
 {
   COccupancyGridMap2D open = room();
   open.setCell(15, 8, kUnknown);
@@ -89,14 +89,14 @@ TEST(GridmapRanges, passUnknownCellsAndLeaveTheMapThroughAGap)
   EXPECT_EQ(range_m(GridmapRanges(open), {5, 5}, 0), -1) << "from outside";
 }
 
-TEST(GridmapRanges, areZeroWithinASolidCell)
+TEST(GridmapRanges, AreZeroWithinASolidCell)
 {
   EXPECT_EQ(range_m(GridmapRanges(room()), {1.9, 0.1}, 0), 0);
 }
 
 /** MRPT's own ray ends within the wall, up to a step along the ray behind its face, and its
  * direction is off by up to 1/819 on each axis. */
-TEST(GridmapRanges, agreeWithMrptsSimulationWithinItsSteps)
+TEST(GridmapRanges, AgreeWithMrptsSimulationWithinItsSteps)
 {
   COccupancyGridMap2D map(-4, 4, -4, 4, 0.01f);
   map.fill(kFree);
@@ -116,7 +116,7 @@ TEST(GridmapRanges, agreeWithMrptsSimulationWithinItsSteps)
   }
 }
 
-TEST(GridmapClearance, isTheDistanceToTheNearestSolidCell)
+TEST(GridmapClearance, IsTheDistanceToTheNearestSolidCell)
 {
   const GridmapRanges map(room());
   EXPECT_NEAR(map.clearance_m({1.25, 0}, 2), 0.5, 1e-12) << "the right wall";
@@ -125,7 +125,7 @@ TEST(GridmapClearance, isTheDistanceToTheNearestSolidCell)
   EXPECT_EQ(map.clearance_m({1.9, 0}, 2), 0);
 }
 
-TEST(GridmapRoomiestPlace, isFarFromSolidAndUnknownCells)
+TEST(GridmapRoomiestPlace, IsFarFromSolidAndUnknownCells)
 {
   COccupancyGridMap2D map = room();
   for (int row = 0; row < 16; ++row)
@@ -138,7 +138,7 @@ TEST(GridmapRoomiestPlace, isFarFromSolidAndUnknownCells)
                  {"no free cell"}));
 }
 
-TEST(GridmapOutline, holdsTheCellsThatOneCanSee)
+TEST(GridmapOutline, HoldsTheCellsThatOneCanSee)
 {
   EXPECT_EQ(GridmapRanges(room()).outline_m().size(), 4 * 14u + 2) << "no corners";
 }
@@ -157,7 +157,7 @@ class LoadGridmap : public testing::Test
   std::string path_;
 };
 
-TEST_F(LoadGridmap, readsMrptsGrids)
+TEST_F(LoadGridmap, ReadsMrptsGrids)
 {
   use("room.gridmap.gz");
   {
@@ -167,7 +167,7 @@ TEST_F(LoadGridmap, readsMrptsGrids)
   EXPECT_NEAR(range_m(loadGridmap(path_), {0.1, 0.1}, 90), 1.15, 1e-12);
 }
 
-TEST_F(LoadGridmap, readsImagesWithAResolution)
+TEST_F(LoadGridmap, ReadsImagesWithAResolution)
 {
   use("room.pgm");  // 8 x 4 pixels, a dark column on the right; the origin is in the middle
   std::ofstream image(path_);
@@ -180,7 +180,7 @@ TEST_F(LoadGridmap, readsImagesWithAResolution)
   EXPECT_NEAR(range_m(map, {-0.1, 0.1}, 0), 1.6, 0.51) << "the middle is known to a pixel";
 }
 
-TEST_F(LoadGridmap, namesWhatItCannotRead)
+TEST_F(LoadGridmap, NamesWhatItCannotRead)
 {
   use("absent.gridmap");
   EXPECT_TRUE(test::says(loadError(), {path_, "no such file"}));

@@ -52,7 +52,7 @@ double worstError_m(const Scan& view, const std::vector<Wall>& walls, const Pose
 }
 }  // namespace
 
-TEST(PolarView, meetsAWallBetweenItsPoints)
+TEST(PolarView, MeetsAWallBetweenItsPoints)
 {
   const std::vector<Wall> room = squareRoom();
   CSimplePointsMap map;
@@ -67,7 +67,7 @@ TEST(PolarView, meetsAWallBetweenItsPoints)
 //        ___________________   hidden, its points show through those of the wall in front
 //        . . . . . . . . .     in front
 //              o
-TEST(PolarView, hidesWhatIsBehind)
+TEST(PolarView, HidesWhatIsBehind)
 {
   const Wall front{{-1, 1}, {1, 1}}, behind{{-3, 2}, {3, 2}};
   CSimplePointsMap map;
@@ -78,7 +78,7 @@ TEST(PolarView, hidesWhatIsBehind)
   EXPECT_LT(worstError_m(view, {front, behind}, {}), 1e-5);
 }
 
-TEST(PolarView, averagesTheNoiseOfManyPoints)
+TEST(PolarView, AveragesTheNoiseOfManyPoints)
 {
   RandomNumbers random(3);
   SCOPED_TRACE(random.seedText());
@@ -97,7 +97,7 @@ TEST(PolarView, averagesTheNoiseOfManyPoints)
   EXPECT_NEAR(mean_m, 2, 0.004);  // the nearest points alone would give 1.93
 }
 
-TEST(PolarView, leavesOutWhatIsNoSurface)
+TEST(PolarView, LeavesOutWhatIsNoSurface)
 {
   CSimplePointsMap map;
   map.insertPoint(2, 0);
@@ -112,7 +112,7 @@ TEST(PolarView, leavesOutWhatIsNoSurface)
             2);  // 1.4 deg: ray spacing still joins
 }
 
-TEST(PolarView, joinsAcrossTheSeam)
+TEST(PolarView, JoinsAcrossTheSeam)
 {
   const Wall behind{{-2, 1}, {-2, -1}};
   CSimplePointsMap map;
@@ -135,7 +135,7 @@ COccupancyGridMap2D gridWithWall()
 }
 }  // namespace
 
-TEST(PolarView, castsRaysThroughAGridToItsFarEnd)
+TEST(PolarView, CastsRaysThroughAGridToItsFarEnd)
 {
   const COccupancyGridMap2D map = gridWithWall();
   const Pose2 T_map_sensor{-9.5, 0, 0};  // 19 m from the wall
@@ -146,7 +146,7 @@ TEST(PolarView, castsRaysThroughAGridToItsFarEnd)
   EXPECT_NEAR(view.rangeSigma_m, 0.018, 0.001);
 }
 
-TEST(PolarView, looksAtThePointsOfAMultiMetricMapElseAtItsGrid)
+TEST(PolarView, LooksAtThePointsOfAMultiMetricMapElseAtItsGrid)
 {
   const auto points = CSimplePointsMap::Create();
   const auto grid = COccupancyGridMap2D::Create(gridWithWall());
@@ -159,7 +159,7 @@ TEST(PolarView, looksAtThePointsOfAMultiMetricMapElseAtItsGrid)
   EXPECT_NEAR(polarView(multi, {}, ahead, kGap_m).range_m[5], 2, 1e-5);
 }
 
-TEST(PolarView, isEmptyForAnEmptyMapOrAnUnknownPlace)
+TEST(PolarView, IsEmptyForAnEmptyMapOrAnUnknownPlace)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(validRays(polarView(CSimplePointsMap(), {}, kAllRound, kGap_m)), 0);
@@ -168,7 +168,7 @@ TEST(PolarView, isEmptyForAnEmptyMapOrAnUnknownPlace)
   EXPECT_EQ(validRays(polarView(gridWithWall(), {1e300, 0, 0}, kAllRound, kGap_m)), 0);
 }
 
-TEST(PolarView, refusesOtherClassesByName)
+TEST(PolarView, RefusesOtherClassesByName)
 {
   const auto text =
       thrownText<std::invalid_argument>([] { polarView(CBeaconMap(), {}, kAllRound, kGap_m); });

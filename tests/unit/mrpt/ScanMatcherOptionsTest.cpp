@@ -55,7 +55,7 @@ std::string loadingError(const std::string& ini)
 }
 }  // namespace
 
-TEST(ScanMatcherOptions, survivesAFileExactly)
+TEST(ScanMatcherOptions, SurvivesAFileExactly)
 {
   const ScratchFolder folder;
   const std::string file = folder.path("options.ini");
@@ -69,7 +69,7 @@ TEST(ScanMatcherOptions, survivesAFileExactly)
   EXPECT_EQ(loaded.view.T_map_sensor.phi_rad, 0.7);
 }
 
-TEST(ScanMatcherOptions, survivesMemoryExactly)
+TEST(ScanMatcherOptions, SurvivesMemoryExactly)
 {
   CConfigFileMemory memory;
   unevenOptions().saveToConfigFile(memory, "a");
@@ -78,7 +78,7 @@ TEST(ScanMatcherOptions, survivesMemoryExactly)
   EXPECT_EQ(valuesOf(loaded), valuesOf(unevenOptions()));
 }
 
-TEST(ScanMatcherOptions, printsEveryOptionSoThatItCanBeLoaded)
+TEST(ScanMatcherOptions, PrintsEveryOptionSoThatItCanBeLoaded)
 {
   std::ostringstream out;
   unevenOptions().dumpToTextStream(out);
@@ -89,7 +89,7 @@ TEST(ScanMatcherOptions, printsEveryOptionSoThatItCanBeLoaded)
   EXPECT_EQ(valuesOf(loaded), valuesOf(unevenOptions()));
 }
 
-TEST(ScanMatcherOptions, keepsWhatTheFileDoesNotName)
+TEST(ScanMatcherOptions, KeepsWhatTheFileDoesNotName)
 {
   ScanMatcherOptions options = unevenOptions();
   options.loadFromConfigFile(CConfigFileMemory("[psmks.view]\n"
@@ -102,7 +102,7 @@ TEST(ScanMatcherOptions, keepsWhatTheFileDoesNotName)
   EXPECT_EQ(valuesOf(options), expected);
 }
 
-TEST(ScanMatcherOptions, refusesWhatItDoesNotKnow)
+TEST(ScanMatcherOptions, RefusesWhatItDoesNotKnow)
 {
   EXPECT_TRUE(says(loadingError("[psmks.view]\nray = 360\n"), {"psmks.view", "'ray'", "'rays'"}));
   EXPECT_TRUE(says(loadingError("[psmks.vew]\nrays = 360\n"), {"psmks.vew", "vew"}));
@@ -110,7 +110,7 @@ TEST(ScanMatcherOptions, refusesWhatItDoesNotKnow)
   EXPECT_TRUE(says(loadingError("[psmks]\nrays = 360\n"), {"[psmks]", "rays", "<stage>"}));
 }
 
-TEST(ScanMatcherOptions, refusesValuesThatAreNone)
+TEST(ScanMatcherOptions, RefusesValuesThatAreNone)
 {
   EXPECT_TRUE(says(loadingError("[psmks.view]\nrays = abc\n"), {"rays", "abc", "2 to 100000"}));
   EXPECT_TRUE(says(loadingError("[psmks.view]\nrays =\n"), {"rays", "2 to 100000"}));
@@ -120,7 +120,7 @@ TEST(ScanMatcherOptions, refusesValuesThatAreNone)
   EXPECT_TRUE(says(loadingError("[psmks.matcher]\nscheme = icp\n"), {"scheme", "icp", "joint"}));
 }
 
-TEST(ScanMatcherOptions, changesNothingWhenTheFileIsRefused)
+TEST(ScanMatcherOptions, ChangesNothingWhenTheFileIsRefused)
 {
   ScanMatcherOptions options;
   const CConfigFileMemory file(

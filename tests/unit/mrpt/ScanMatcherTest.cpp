@@ -77,7 +77,7 @@ ScanMatcher silentMatcher()
 }
 }  // namespace
 
-TEST(ScanMatcher, passesMrptsIcpTestWithScans)
+TEST(ScanMatcher, PassesMrptsIcpTestWithScans)
 {
   ScanMatcher matcher;
   ReturnInfo info;
@@ -88,7 +88,7 @@ TEST(ScanMatcher, passesMrptsIcpTestWithScans)
   EXPECT_TRUE(isPositiveDefinite(*pose));
 }
 
-TEST(ScanMatcher, passesMrptsIcpTestWithPointMaps)
+TEST(ScanMatcher, PassesMrptsIcpTestWithPointMaps)
 {
   ScanMatcher matcher;
   const CSimplePointsMap m1 = stockMap(0), m2 = stockMap(1);
@@ -99,7 +99,7 @@ TEST(ScanMatcher, passesMrptsIcpTestWithPointMaps)
   EXPECT_GT(info.goodness, 0.4);
 }
 
-TEST(ScanMatcher, matchesAPointMapWithAGrid)
+TEST(ScanMatcher, MatchesAPointMapWithAGrid)
 {
   ScanMatcher matcher;
   COccupancyGridMap2D m1(-10, 10, -10, 10, 0.05f);
@@ -112,7 +112,7 @@ TEST(ScanMatcher, matchesAPointMapWithAGrid)
       << info.match.report();
 }
 
-TEST(ScanMatcher, fillsTheReturnInfoOfIcp)
+TEST(ScanMatcher, FillsTheReturnInfoOfIcp)
 {
   ScanMatcher matcher;
   const CSimplePointsMap m1 = stockMap(0), m2 = stockMap(1);
@@ -134,7 +134,7 @@ TEST(ScanMatcher, fillsTheReturnInfoOfIcp)
 
 //  Mountings: forward and offset, turned, upside-down, scanning clockwise; the same robot motion
 //  comes out of every one of them.
-TEST(ScanMatcher, givesTheMotionOfTheRobotForEveryMounting)
+TEST(ScanMatcher, GivesTheMotionOfTheRobotForEveryMounting)
 {
   const std::vector<Wall> room = officeRoom();
   const CPose2D T_world_ref(-0.5, -0.3, degToRad(20)), T_ref_cur(0.25, 0.10, degToRad(12));
@@ -157,7 +157,7 @@ TEST(ScanMatcher, givesTheMotionOfTheRobotForEveryMounting)
       }
 }
 
-TEST(ScanMatcher, matchesScansOfTwoSensors)
+TEST(ScanMatcher, MatchesScansOfTwoSensors)
 {
   const std::vector<Wall> room = officeRoom();
   const CPose2D T_world_ref(-0.5, -0.3, degToRad(20)), T_ref_cur(0.25, 0.10, degToRad(12));
@@ -170,7 +170,7 @@ TEST(ScanMatcher, matchesScansOfTwoSensors)
   EXPECT_TRUE(isNearly(toPose2(pose->mean), toPose2(T_ref_cur), 1e-3, degToRad(0.02)));
 }
 
-TEST(ScanMatcher, looksAtMapsFromThePlaceOfTheScanner)
+TEST(ScanMatcher, LooksAtMapsFromThePlaceOfTheScanner)
 {
   const std::vector<Wall> room = officeRoom();
   const CPose2D T_world_ref(-0.5, -0.3, degToRad(20)), T_ref_cur(0.25, 0.10, degToRad(12));
@@ -192,7 +192,7 @@ TEST(ScanMatcher, looksAtMapsFromThePlaceOfTheScanner)
 //  =======================
 //      o ->
 //  =======================
-TEST(ScanMatcher, keepsTheGuessAlongACorridorAndSaysSo)
+TEST(ScanMatcher, KeepsTheGuessAlongACorridorAndSaysSo)
 {
   const Scanner scanner{CPose3D(0.3, 0, 0, degToRad(90), 0, 0), true, degToRad(240), 481, 10};
   ScanMatcher matcher;
@@ -207,7 +207,7 @@ TEST(ScanMatcher, keepsTheGuessAlongACorridorAndSaysSo)
   EXPECT_LT(std::sqrt(pose->cov(1, 1)), 0.02);
 }
 
-TEST(ScanMatcher, keepsTheGuessWhenAMapIsEmpty)
+TEST(ScanMatcher, KeepsTheGuessWhenAMapIsEmpty)
 {
   ScanMatcher matcher = silentMatcher();
   const CSimplePointsMap full = stockMap(0), empty;
@@ -226,7 +226,7 @@ TEST(ScanMatcher, keepsTheGuessWhenAMapIsEmpty)
   }
 }
 
-TEST(ScanMatcher, keepsTheGuessWhenMapsHaveNothingInCommon)
+TEST(ScanMatcher, KeepsTheGuessWhenMapsHaveNothingInCommon)
 {
   ScanMatcher matcher = silentMatcher();
   const CSimplePointsMap m1 = stockMap(0), m2 = stockMap(1);
@@ -240,7 +240,7 @@ TEST(ScanMatcher, keepsTheGuessWhenMapsHaveNothingInCommon)
   EXPECT_NEAR(gaussian(pose).cov(0, 0), 0.04, 1e-9);  // of the guess
 }
 
-TEST(ScanMatcher, doesNotThrowForBadScans)
+TEST(ScanMatcher, DoesNotThrowForBadScans)
 {
   ScanMatcher matcher = silentMatcher();
   const CObservation2DRangeScan good = stockScan(0);
@@ -263,7 +263,7 @@ TEST(ScanMatcher, doesNotThrowForBadScans)
     }
 }
 
-TEST(ScanMatcher, warnsAboutATiltedScan)
+TEST(ScanMatcher, WarnsAboutATiltedScan)
 {
   ScanMatcher matcher;
   std::string log;
@@ -282,7 +282,7 @@ TEST(ScanMatcher, warnsAboutATiltedScan)
   EXPECT_EQ(log.find("max_tilt_deg"), std::string::npos);
 }
 
-TEST(ScanMatcher, refusesNullMaps)
+TEST(ScanMatcher, RefusesNullMaps)
 {
   ScanMatcher matcher;
   const CSimplePointsMap map;
@@ -292,7 +292,7 @@ TEST(ScanMatcher, refusesNullMaps)
                    {"m2", "null"}));
 }
 
-TEST(ScanMatcher, liftsPlanarProblemsTo3D)
+TEST(ScanMatcher, LiftsPlanarProblemsTo3D)
 {
   ScanMatcher matcher;
   const CSimplePointsMap m1 = stockMap(0), m2 = stockMap(1);
@@ -311,7 +311,7 @@ TEST(ScanMatcher, liftsPlanarProblemsTo3D)
   EXPECT_EQ(pose.cov(3, 3), plane.cov(2, 2));
 }
 
-TEST(ScanMatcher, refusesProblemsOutOfThePlane)
+TEST(ScanMatcher, RefusesProblemsOutOfThePlane)
 {
   ScanMatcher matcher;
   const CSimplePointsMap map = stockMap(0);
@@ -320,7 +320,7 @@ TEST(ScanMatcher, refusesProblemsOutOfThePlane)
   EXPECT_TRUE(says(text, {"plane", "30", "max_tilt_deg", "5"}));
 }
 
-TEST(ScanMatcher, obeysItsOptions)
+TEST(ScanMatcher, ObeysItsOptions)
 {
   ScanMatcher matcher = silentMatcher();
   matcher.options.matcher.joint.acceptScore = 1;  // of scans of the real world
@@ -329,7 +329,7 @@ TEST(ScanMatcher, obeysItsOptions)
   EXPECT_EQ(info.match.status, MatchStatus::NoImprovement);
 }
 
-TEST(ScanMatcher, takesCeresWhereItIsBuilt)
+TEST(ScanMatcher, TakesCeresWhereItIsBuilt)
 {
   ScanMatcher own, ceres;
   ceres.options.matcher.joint.solver = JointSolver::Ceres;
@@ -345,7 +345,7 @@ TEST(ScanMatcher, takesCeresWhereItIsBuilt)
   EXPECT_TRUE(isNearly(toPose2(pose->mean), toPose2(expected->mean), 1e-4, degToRad(1e-3)));
 }
 
-TEST(ScanMatcher, isCopiedWithItsOptions)
+TEST(ScanMatcher, IsCopiedWithItsOptions)
 {
   ScanMatcher matcher;
   matcher.options.view.rays = 123;

@@ -26,7 +26,7 @@ PsmScan noisy(const std::vector<Wall>& walls, double heading_deg)
 
 // The corridor runs along the world's x; seen from a sensor that is turned to one side it runs to
 // the other.
-TEST(PsmCorridor, aCorridorIsFoundWithItsDirection)
+TEST(PsmCorridor, ACorridorIsFoundWithItsDirection)
 {
   for (const double heading_deg : {0.0, 3.0, -35.0, 80.0})
   {
@@ -37,13 +37,13 @@ TEST(PsmCorridor, aCorridorIsFoundWithItsDirection)
   }
 }
 
-TEST(PsmCorridor, aRoomIsNone)
+TEST(PsmCorridor, ARoomIsNone)
 {
   for (const double heading_deg : {0.0, 30.0, -75.0})
     EXPECT_FALSE(corridorDirection_rad(noisy(officeRoom(), heading_deg), PsmOptions()));
 }
 
-TEST(PsmCorridor, theSpreadAndTheChordAreOptions)
+TEST(PsmCorridor, TheSpreadAndTheChordAreOptions)
 {
   PsmOptions options;
   options.corridorSpread_rad = degToRad(60);
@@ -53,13 +53,13 @@ TEST(PsmCorridor, theSpreadAndTheChordAreOptions)
   EXPECT_FALSE(corridorDirection_rad(noisy(corridor(), 0), options)) << "no surface is that wide";
 }
 
-TEST(PsmCorridor, nothingIsSaidOfNothing)
+TEST(PsmCorridor, NothingIsSaidOfNothing)
 {
   EXPECT_FALSE(corridorDirection_rad(prepared(Scan()), PsmOptions()));
   EXPECT_FALSE(corridorDirection_rad(prepared(drawnScan({2, 2})), PsmOptions()));
 }
 
-TEST(PsmCovariance, inARoomItIsTheSameInEveryDirection)
+TEST(PsmCovariance, InARoomItIsTheSameInEveryDirection)
 {
   const PsmOptions options;
   const Eigen::Matrix3d covariance = psmCovariance(noisy(officeRoom(), 0), 0.01, options);
@@ -67,7 +67,7 @@ TEST(PsmCovariance, inARoomItIsTheSameInEveryDirection)
   EXPECT_TRUE(covariance.isApprox(Eigen::Matrix3d(variances.asDiagonal())));
 }
 
-TEST(PsmCovariance, itGrowsWithTheErrorIndexBeyondTheOffset)
+TEST(PsmCovariance, ItGrowsWithTheErrorIndexBeyondTheOffset)
 {
   const PsmOptions options;
   const PsmScan room = noisy(officeRoom(), 0);
@@ -77,7 +77,7 @@ TEST(PsmCovariance, itGrowsWithTheErrorIndexBeyondTheOffset)
   EXPECT_NEAR(psmCovariance(room, 0.08, options)(2, 2), 3 * std::pow(degToRad(4), 2), 1e-9);
 }
 
-TEST(PsmCovariance, inACorridorItIsLargeAlongIt)
+TEST(PsmCovariance, InACorridorItIsLargeAlongIt)
 {
   const Eigen::Matrix3d covariance = psmCovariance(noisy(corridor(), -35), 0, PsmOptions());
   const Eigen::Vector2d along(std::cos(degToRad(35)), std::sin(degToRad(35)));
@@ -87,7 +87,7 @@ TEST(PsmCovariance, inACorridorItIsLargeAlongIt)
   EXPECT_NEAR(std::sqrt(across.dot(position * across)), 0.3, 0.05);
 }
 
-TEST(PsmMatchError, rangesTellByHowMuchTheyDiffer)
+TEST(PsmMatchError, RangesTellByHowMuchTheyDiffer)
 {
   const PsmScan reference = prepared(drawnScan({2, 2, 2, 2, 2}));
   PsmProjection projection;
@@ -100,7 +100,7 @@ TEST(PsmMatchError, rangesTellByHowMuchTheyDiffer)
 }
 
 // One scan has a point of its own, 3 m from any of the other: the worse direction counts.
-TEST(PsmMatchError, pointsTellByHowFarTheNearestIs)
+TEST(PsmMatchError, PointsTellByHowFarTheNearestIs)
 {
   const PsmScan reference = prepared(drawnScan({2, 2, 2}));
   const PsmScan current = prepared(drawnScan({2, 5, 2}));

@@ -38,7 +38,7 @@ class PsmMatcherTest : public testing::Test
   const BeamGrid grid_ = BeamGrid::centered(kPi, 361);
 };
 
-TEST_F(PsmMatcherTest, aScanMatchesItselfWhereItIs)
+TEST_F(PsmMatcherTest, AScanMatchesItselfWhereItIs)
 {
   const Scan scan = castScan(officeRoom(), {}, grid_);
   const PsmResult result = match(scan, scan);
@@ -47,7 +47,7 @@ TEST_F(PsmMatcherTest, aScanMatchesItselfWhereItIs)
   EXPECT_LT(result.errorIndex_m, 0.01);
 }
 
-TEST_F(PsmMatcherTest, aMotionIsFoundInAnyFieldOfViewAndDensity)
+TEST_F(PsmMatcherTest, AMotionIsFoundInAnyFieldOfViewAndDensity)
 {
   for (const BeamGrid& grid :
        {BeamGrid::centered(kPi, 181), BeamGrid::centered(kPi, 361),
@@ -70,7 +70,7 @@ Scan mirrored(Scan scan)
   return scan;
 }
 
-TEST_F(PsmMatcherTest, aMirroredSceneGivesTheMirroredMotion)
+TEST_F(PsmMatcherTest, AMirroredSceneGivesTheMirroredMotion)
 {
   const Scan reference = castScan(officeRoom(), {}, grid_);
   const Scan current = castScan(officeRoom(), T_ref_cur, grid_);
@@ -79,7 +79,7 @@ TEST_F(PsmMatcherTest, aMirroredSceneGivesTheMirroredMotion)
   EXPECT_TRUE(isNearly(mirror, {plain.x_m, -plain.y_m, -plain.phi_rad}, 1e-3, degToRad(0.02)));
 }
 
-TEST_F(PsmMatcherTest, aClosedScanMatchesWhereverItsRaysBegin)
+TEST_F(PsmMatcherTest, AClosedScanMatchesWhereverItsRaysBegin)
 {
   options_ = test::unfiltered();
   const Pose2 first = matchOffice(BeamGrid(-kPi, degToRad(1), 360)).T_ref_cur;
@@ -97,7 +97,7 @@ TEST_F(PsmMatcherTest, aClosedScanMatchesWhereverItsRaysBegin)
   EXPECT_TRUE(isNearly(second, first, 1e-6, 1e-6));
 }
 
-TEST_F(PsmMatcherTest, theNearestPointsMayJudgeTheMatch)
+TEST_F(PsmMatcherTest, TheNearestPointsMayJudgeTheMatch)
 {
   const double byRanges_m = matchOffice(grid_).errorIndex_m;
   options_.errorIndex = PsmErrorIndex::NearestPoint;
@@ -107,7 +107,7 @@ TEST_F(PsmMatcherTest, theNearestPointsMayJudgeTheMatch)
   EXPECT_LT(byPoints_m, 0.1);
 }
 
-TEST_F(PsmMatcherTest, iterationsEndWhereTheStepsAreSmallOrTheOptionsSay)
+TEST_F(PsmMatcherTest, IterationsEndWhereTheStepsAreSmallOrTheOptionsSay)
 {
   const int usual = matchOffice(grid_).iterations;
   options_.smallStepsToStop = 1;
@@ -122,7 +122,7 @@ TEST_F(PsmMatcherTest, iterationsEndWhereTheStepsAreSmallOrTheOptionsSay)
 }
 
 // A person of 0.5 m stands before the wall in the current scan only, as wide as one fifth of it.
-TEST_F(PsmMatcherTest, lateIterationsTrustPairsThatDifferLittle)
+TEST_F(PsmMatcherTest, LateIterationsTrustPairsThatDifferLittle)
 {
   const Scan reference = castScan(officeRoom(), {}, grid_);
   Scan current = reference;
@@ -134,7 +134,7 @@ TEST_F(PsmMatcherTest, lateIterationsTrustPairsThatDifferLittle)
   EXPECT_LT(sharpened_m, 0.5 * blunt_m);
 }
 
-TEST_F(PsmMatcherTest, tooSmallAnArcOfPairsIsAFailureThatKeepsTheGuess)
+TEST_F(PsmMatcherTest, TooSmallAnArcOfPairsIsAFailureThatKeepsTheGuess)
 {
   options_.minPairedArc_rad = kPi;
   const Pose2 guess{0.2, -0.1, 0.1};
@@ -146,14 +146,14 @@ TEST_F(PsmMatcherTest, tooSmallAnArcOfPairsIsAFailureThatKeepsTheGuess)
   EXPECT_GT(result.iterations, 0);
 }
 
-TEST_F(PsmMatcherTest, anArcThatFixesNoPositionIsAFailure)
+TEST_F(PsmMatcherTest, AnArcThatFixesNoPositionIsAFailure)
 {
   options_.minPairedArc_rad = 0;
   const Scan beam = drawnScan({2, 2, 2, 2}, 1e-4);
   EXPECT_EQ(match(beam, beam).status, PsmStatus::Singular);
 }
 
-TEST_F(PsmMatcherTest, badDataEndInAStatusAndAFinitePose)
+TEST_F(PsmMatcherTest, BadDataEndInAStatusAndAFinitePose)
 {
   const Scan room = castScan(officeRoom(), {}, grid_);
   Scan misfit = room;

@@ -14,14 +14,14 @@ using test::preparedScene;
 
 double parabola(double x, double minimum) { return 3 * (x - minimum) * (x - minimum) + 0.2; }
 
-TEST(PsmParabola, itsMinimumIsFoundExactly)
+TEST(PsmParabola, ItsMinimumIsFoundExactly)
 {
   for (const double minimum : {0.0, 0.3, -0.45})
     EXPECT_NEAR(parabolaMinimum(parabola(-1, minimum), parabola(0, minimum), parabola(1, minimum)),
                 minimum, 1e-12);
 }
 
-TEST(PsmParabola, whereItIsNotLowestInTheMiddleTheMiddleStays)
+TEST(PsmParabola, WhereItIsNotLowestInTheMiddleTheMiddleStays)
 {
   EXPECT_EQ(parabolaMinimum(1, 2, 3), 0);
   EXPECT_EQ(parabolaMinimum(2, 2, 3), 0);
@@ -60,7 +60,7 @@ class PsmOrientationTest : public testing::Test
   std::vector<double> errors_m_;
 };
 
-TEST_F(PsmOrientationTest, aTurnByWholeRaysIsFoundOnTheRay)
+TEST_F(PsmOrientationTest, ATurnByWholeRaysIsFoundOnTheRay)
 {
   for (const BeamGrid& grid : {open_, closed_})
     for (const double turn_deg : {6.0, -14.5, 0.0, 20.0})
@@ -73,7 +73,7 @@ TEST_F(PsmOrientationTest, aTurnByWholeRaysIsFoundOnTheRay)
     }
 }
 
-TEST_F(PsmOrientationTest, theWindowLimitsTheReach)
+TEST_F(PsmOrientationTest, TheWindowLimitsTheReach)
 {
   search_deg(6, open_, 5);
   EXPECT_EQ(errors_m_.size(), 21U);
@@ -82,7 +82,7 @@ TEST_F(PsmOrientationTest, theWindowLimitsTheReach)
 }
 
 // Nothing to be seen but what is behind the sensor, where the rays of a closed scan begin and end.
-TEST_F(PsmOrientationTest, aClosedScanIsComparedAcrossItsSeam)
+TEST_F(PsmOrientationTest, AClosedScanIsComparedAcrossItsSeam)
 {
   const auto onlyBehind = [](Scan scan)
   {
@@ -98,7 +98,7 @@ TEST_F(PsmOrientationTest, aClosedScanIsComparedAcrossItsSeam)
   EXPECT_NEAR(*std::min_element(errors_m_.begin(), errors_m_.end()), 0, 1e-6);
 }
 
-TEST_F(PsmOrientationTest, scansThatShareNoBearingHaveNoTurn)
+TEST_F(PsmOrientationTest, ScansThatShareNoBearingHaveNoTurn)
 {
   reference_ = preparedScene({{{4, -9}, {4, -1}}}, {}, open_);
   EXPECT_FALSE(searchFor(preparedScene({{{4, 9}, {4, 3}}}, {}, open_), 20));

@@ -39,7 +39,7 @@ class PsmProjectionTest : public testing::Test
   PsmProjection projection_;
 };
 
-TEST_F(PsmProjectionTest, fromItsOwnViewpointAScanIsItself)
+TEST_F(PsmProjectionTest, FromItsOwnViewpointAScanIsItself)
 {
   project(officeRoom(), {});
   for (std::size_t i = 0; i < 361; ++i)
@@ -68,7 +68,7 @@ double bruteForce_m(const PsmScan& current, const Pose2& T_ref_cur, double beari
   return nearest_m;
 }
 
-TEST_F(PsmProjectionTest, everyRayShowsTheNearestOfAllSurfacesOnIt)
+TEST_F(PsmProjectionTest, EveryRayShowsTheNearestOfAllSurfacesOnIt)
 {
   const Pose2 T{0.6, -0.45, degToRad(13)};
   project(clutteredRoom(3), T);
@@ -93,7 +93,7 @@ TEST_F(PsmProjectionTest, everyRayShowsTheNearestOfAllSurfacesOnIt)
 //        ---- post, x = 2
 //
 //         r       c
-TEST_F(PsmProjectionTest, aNearSurfaceHidesWhatIsBehindIt)
+TEST_F(PsmProjectionTest, ANearSurfaceHidesWhatIsBehindIt)
 {
   project({{{4, -9}, {4, 9}}, {{2, -0.5}, {2, 0.5}}}, {0, -1.5, 0});
   EXPECT_NEAR(range_m(0), 2, 1e-3);
@@ -108,7 +108,7 @@ TEST_F(PsmProjectionTest, aNearSurfaceHidesWhatIsBehindIt)
 //        ----             board, x = 2
 //
 //         r
-TEST_F(PsmProjectionTest, aSurfaceSeenFromBehindIsOccludedButStillHides)
+TEST_F(PsmProjectionTest, ASurfaceSeenFromBehindIsOccludedButStillHides)
 {
   currentGrid_ = BeamGrid::centered(2 * kPi, 720);
   project({{{6, -9}, {6, 9}}, {{2, -0.5}, {2, 0.5}}}, {4, 0, 0});
@@ -118,7 +118,7 @@ TEST_F(PsmProjectionTest, aSurfaceSeenFromBehindIsOccludedButStillHides)
   EXPECT_NEAR(range_m(25), 6 / std::cos(degToRad(25)), 1e-2);
 }
 
-TEST_F(PsmProjectionTest, nothingIsDrawnBetweenSurfacesNorForLonePoints)
+TEST_F(PsmProjectionTest, NothingIsDrawnBetweenSurfacesNorForLonePoints)
 {
   const PsmScan scan = prepared(drawnScan({2, 2, 2, 3.5, 5, 5, 5}));
   projectPsmScan(scan, {}, scan.grid, projection_);
@@ -127,7 +127,7 @@ TEST_F(PsmProjectionTest, nothingIsDrawnBetweenSurfacesNorForLonePoints)
   EXPECT_EQ(std::count(projection_.tag.begin(), projection_.tag.end(), PsmTag::Good), 6);
 }
 
-TEST_F(PsmProjectionTest, aRoomAllAroundHasNoGapAtTheSeam)
+TEST_F(PsmProjectionTest, ARoomAllAroundHasNoGapAtTheSeam)
 {
   currentGrid_ = referenceGrid_ = BeamGrid::centered(2 * kPi, 360);
   project(squareRoom(), {0.3, -0.2, degToRad(77)});

@@ -22,27 +22,27 @@ Ranges filtered(const Scan& scan, int window)
   return prepared(scan, options).range_m;
 }
 
-TEST(PsmScan, aSingleWildReadingTakesTheMedianOfItsNeighbours)
+TEST(PsmScan, ASingleWildReadingTakesTheMedianOfItsNeighbours)
 {
   const Scan scan = drawnScan({2, 2.1, 2.2, 9, 2.4, 2.5, 2.6});
   EXPECT_EQ(filtered(scan, 3), (Ranges{2, 2.1, 2.2, 2.4, 2.5, 2.5, 2.6}));
   EXPECT_EQ(filtered(scan, 1), scan.range_m);
 }
 
-TEST(PsmScan, theMedianLeavesARampAndMendsAHoleInIt)
+TEST(PsmScan, TheMedianLeavesARampAndMendsAHoleInIt)
 {
   const Scan scan = drawnScan({1, 1.1, 1.2, kNan, 1.4, 1.5, 1.6});
   EXPECT_EQ(filtered(scan, 5), (Ranges{1, 1.1, 1.2, 1.4, 1.5, 1.6, 1.6}));
 }
 
-TEST(PsmScan, theMedianGoesRoundAClosedScanAndRepeatsTheEndsOfAnOpenOne)
+TEST(PsmScan, TheMedianGoesRoundAClosedScanAndRepeatsTheEndsOfAnOpenOne)
 {
   const Ranges range_m{9, 2, 2, 2, 2, 2, 2, 3};
   EXPECT_EQ(filtered(drawnScan(range_m, 2 * kPi), 3).front(), 3);
   EXPECT_EQ(filtered(drawnScan(range_m, kPi), 3).front(), 9);
 }
 
-TEST(PsmScan, whatIsNoReadingTakesNoPart)
+TEST(PsmScan, WhatIsNoReadingTakesNoPart)
 {
   Scan scan = drawnScan({2, 0, -1, kNan, kNothing_m, 30, 31, 5});
   scan.valid.assign(8, 1);
@@ -53,7 +53,7 @@ TEST(PsmScan, whatIsNoReadingTakesNoPart)
   for (int i = 1; i < 8; ++i) EXPECT_EQ(result.range(i), kNothing_m) << i;
 }
 
-TEST(PsmScan, theOptionNarrowsTheMaximumRange)
+TEST(PsmScan, TheOptionNarrowsTheMaximumRange)
 {
   PsmOptions options = unfiltered();
   options.maxRange_m = 4;
@@ -62,7 +62,7 @@ TEST(PsmScan, theOptionNarrowsTheMaximumRange)
   EXPECT_EQ(result.maxRange_m, 4);
 }
 
-TEST(PsmScan, rangesThatDoNotFitTheGridAreNone)
+TEST(PsmScan, RangesThatDoNotFitTheGridAreNone)
 {
   Scan scan = drawnScan({2, 3, 5});
   scan.range_m.pop_back();

@@ -21,12 +21,12 @@ Segments segmentsOf(const std::vector<double>& range_m, double fieldOfView_rad =
 //  5 |       o o o
 //  2 | o o o
 //    +--------------> ray
-TEST(PsmSegmentation, aJumpEndsASurface)
+TEST(PsmSegmentation, AJumpEndsASurface)
 {
   EXPECT_EQ(segmentsOf({2, 2, 2, 5, 5, 5}), (Segments{1, 1, 1, 2, 2, 2}));
 }
 
-TEST(PsmSegmentation, theBreakIsAnOption)
+TEST(PsmSegmentation, TheBreakIsAnOption)
 {
   PsmOptions options = test::unfiltered();
   options.segmentBreak_m = 4;
@@ -38,26 +38,26 @@ TEST(PsmSegmentation, theBreakIsAnOption)
 //  5 |         o o
 //    |       x
 //  2 | o o o
-TEST(PsmSegmentation, aPointBetweenTwoSurfacesIsLone)
+TEST(PsmSegmentation, APointBetweenTwoSurfacesIsLone)
 {
   EXPECT_EQ(segmentsOf({2, 2, 2, 3.5, 5, 5}), (Segments{1, 1, 1, 0, 2, 2}));
 }
 
 // A wall seen at an ever smaller angle: the jumps grow beyond the break, but steadily.
-TEST(PsmSegmentation, aSurfaceGoesOnWhereItsRangesGrowSteadily)
+TEST(PsmSegmentation, ASurfaceGoesOnWhereItsRangesGrowSteadily)
 {
   EXPECT_EQ(segmentsOf({5, 5.15, 5.36, 5.66, 6.06}), Segments(5, 1));
   EXPECT_EQ(segmentsOf({5, 5.15, 5.36, 6.06}), (Segments{1, 1, 1, 0})) << "half a metre off";
 }
 
-TEST(PsmSegmentation, threeLonePointsInARowAreASurface)
+TEST(PsmSegmentation, ThreeLonePointsInARowAreASurface)
 {
   EXPECT_EQ(segmentsOf({5, 5.3, 5.6}), (Segments{1, 1, 1}));
   EXPECT_EQ(segmentsOf({5, 5.3}), (Segments{0, 0}));
   EXPECT_EQ(segmentsOf({5, 5.3, 6.2}), (Segments{0, 0, 0}));
 }
 
-TEST(PsmSegmentation, aRayWithoutReadingEndsASurface)
+TEST(PsmSegmentation, ARayWithoutReadingEndsASurface)
 {
   EXPECT_EQ(segmentsOf({2, 2, kNothing_m, 2, 2}), (Segments{1, 1, 0, 2, 2}));
 }
@@ -68,13 +68,13 @@ TEST(PsmSegmentation, aRayWithoutReadingEndsASurface)
 //    5     5
 //    2     2      rays 0 and 7 are neighbours
 //      2|2
-TEST(PsmSegmentation, aClosedScanHasNoSeam)
+TEST(PsmSegmentation, AClosedScanHasNoSeam)
 {
   EXPECT_EQ(segmentsOf({2, 2, 5, 5, 5, 5, 2, 2}, 2 * kPi), (Segments{2, 2, 1, 1, 1, 1, 2, 2}));
   EXPECT_EQ(segmentsOf({2, 2, 2, 2, 2, 2, 2, 2}, 2 * kPi), Segments(8, 1));
 }
 
-TEST(PsmSegmentation, theEndsOfASpiralAreNotNeighbours)
+TEST(PsmSegmentation, TheEndsOfASpiralAreNotNeighbours)
 {
   const PsmScan spiral = prepared(drawnScan({2, 2.1, 2.2, 2.3, 2.4, 2.5, 2.6, 2.7}, 2 * kPi));
   EXPECT_FALSE(spiral.sameSurface(7, 0));

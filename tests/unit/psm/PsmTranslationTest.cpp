@@ -42,7 +42,7 @@ class PsmTranslationTest : public testing::Test
   PsmProjection projection_;
 };
 
-TEST_F(PsmTranslationTest, aPureShiftIsRecovered)
+TEST_F(PsmTranslationTest, APureShiftIsRecovered)
 {
   const PsmTranslation result = solve();
   EXPECT_EQ(result.pairs, 181);
@@ -50,7 +50,7 @@ TEST_F(PsmTranslationTest, aPureShiftIsRecovered)
   EXPECT_NEAR((result.step_m - kShift_m).norm(), 0, 1e-12);
 }
 
-TEST_F(PsmTranslationTest, aStrictWeightHoldsPairsThatDifferMuchInCheck)
+TEST_F(PsmTranslationTest, AStrictWeightHoldsPairsThatDifferMuchInCheck)
 {
   for (std::size_t i = 0; i < 40; ++i) projection_.range_m[i] -= 0.8;
   EXPECT_GT(error_m(10), 0.3);
@@ -58,7 +58,7 @@ TEST_F(PsmTranslationTest, aStrictWeightHoldsPairsThatDifferMuchInCheck)
   EXPECT_LT(error_m(0.1), 0.05);
 }
 
-TEST_F(PsmTranslationTest, pairsThatAreNotGoodOnBothSidesAreLeftOut)
+TEST_F(PsmTranslationTest, PairsThatAreNotGoodOnBothSidesAreLeftOut)
 {
   projection_.tag[10] = PsmTag::Occluded;
   projection_.tag[11] = PsmTag::Empty;
@@ -67,7 +67,7 @@ TEST_F(PsmTranslationTest, pairsThatAreNotGoodOnBothSidesAreLeftOut)
   EXPECT_NEAR((solve().step_m - kShift_m).norm(), 0, 1e-12);
 }
 
-TEST_F(PsmTranslationTest, pairsFartherApartThanAllowedAreLeftOut)
+TEST_F(PsmTranslationTest, PairsFartherApartThanAllowedAreLeftOut)
 {
   for (std::size_t i = 0; i < 40; ++i) projection_.range_m[i] -= 0.8;
   options_.maxPairDifference_m = 0.5;
@@ -75,7 +75,7 @@ TEST_F(PsmTranslationTest, pairsFartherApartThanAllowedAreLeftOut)
   EXPECT_NEAR(error_m(10), 0, 1e-12);
 }
 
-TEST_F(PsmTranslationTest, projectedRangesOutsideTheScannersAreLeftOut)
+TEST_F(PsmTranslationTest, ProjectedRangesOutsideTheScannersAreLeftOut)
 {
   options_.maxPairDifference_m = 100;
   projection_.range_m[10] = 0.05;
@@ -86,7 +86,7 @@ TEST_F(PsmTranslationTest, projectedRangesOutsideTheScannersAreLeftOut)
   EXPECT_EQ(solve().pairs, 180);
 }
 
-TEST_F(PsmTranslationTest, oneBearingDoesNotFixAPosition)
+TEST_F(PsmTranslationTest, OneBearingDoesNotFixAPosition)
 {
   projection_.tag.assign(181, PsmTag::Empty);
   projection_.tag[90] = PsmTag::Good;

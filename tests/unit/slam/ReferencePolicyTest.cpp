@@ -19,7 +19,7 @@ const MatchResult kGood = matchOf(MatchStatus::Converged);
 const MatchResult kFailed = matchOf(MatchStatus::NoImprovement);
 const Pose2 kNear{0.1, 0, 0}, kFar{0.9, 0, 0}, kTurned{0, 0, degToRad(-25)};
 
-TEST(ReferencePolicy, sequentialReplacesTheReferenceOnceMovedOrTurnedFarEnough)
+TEST(ReferencePolicy, SequentialReplacesTheReferenceOnceMovedOrTurnedFarEnough)
 {
   ReferenceOptions options;
   options.choice = ReferenceChoice::Sequential;
@@ -29,7 +29,7 @@ TEST(ReferencePolicy, sequentialReplacesTheReferenceOnceMovedOrTurnedFarEnough)
   EXPECT_TRUE(policy.isReplaced(kGood, kTurned, 0));
 }
 
-TEST(ReferencePolicy, onlyThePaperLeavesScansNearTheReferenceUnmatched)
+TEST(ReferencePolicy, OnlyThePaperLeavesScansNearTheReferenceUnmatched)
 {
   ReferenceOptions options;
   EXPECT_TRUE(ReferencePolicy(options).isMatched(kNear));
@@ -38,7 +38,7 @@ TEST(ReferencePolicy, onlyThePaperLeavesScansNearTheReferenceUnmatched)
   EXPECT_TRUE(ReferencePolicy(options).isMatched(kFar));
 }
 
-TEST(ReferencePolicy, aKeyframeStaysUntilTooLittleOfItIsSeen)
+TEST(ReferencePolicy, AKeyframeStaysUntilTooLittleOfItIsSeen)
 {
   ReferenceOptions options;
   options.choice = ReferenceChoice::Keyframe;
@@ -51,7 +51,7 @@ TEST(ReferencePolicy, aKeyframeStaysUntilTooLittleOfItIsSeen)
   EXPECT_FALSE(policy.isReplaced(matchOf(MatchStatus::Converged, 0.4, 29), kNear, 0));
 }
 
-TEST(ReferencePolicy, afterAFailureTheReferenceWaitsUntilItIsGivenUp)
+TEST(ReferencePolicy, AfterAFailureTheReferenceWaitsUntilItIsGivenUp)
 {
   ReferenceOptions options;
   options.maxFailures = 3;
@@ -70,7 +70,7 @@ ReferencePolicy mapPolicy()
   return ReferencePolicy(options);
 }
 
-TEST(ReferencePolicy, onlyOneOfTheChoicesIsAMap)
+TEST(ReferencePolicy, OnlyOneOfTheChoicesIsAMap)
 {
   EXPECT_TRUE(mapPolicy().usesMap());
   for (const auto choice : {ReferenceChoice::Sequential, ReferenceChoice::Keyframe})
@@ -81,21 +81,21 @@ TEST(ReferencePolicy, onlyOneOfTheChoicesIsAMap)
   }
 }
 
-TEST(ReferencePolicy, aKeyframeIsACandidateWithinPlaceAndHeading)
+TEST(ReferencePolicy, AKeyframeIsACandidateWithinPlaceAndHeading)
 {
   EXPECT_TRUE(mapPolicy().isCandidate({2.7, -2.7, degToRad(-59)}));  // 3.8 m away
   EXPECT_FALSE(mapPolicy().isCandidate({2.9, -2.9, 0}));
   EXPECT_FALSE(mapPolicy().isCandidate({0, 0, degToRad(-61)}));
 }
 
-TEST(ReferencePolicy, aKeyframeCoversWhatIsNearInPlaceAndHeading)
+TEST(ReferencePolicy, AKeyframeCoversWhatIsNearInPlaceAndHeading)
 {
   EXPECT_TRUE(mapPolicy().isCovered({0.6, -0.6, degToRad(29)}));
   EXPECT_FALSE(mapPolicy().isCovered({0.8, -0.8, 0}));
   EXPECT_FALSE(mapPolicy().isCovered({0, 0, degToRad(31)}));
 }
 
-TEST(ReferencePolicy, remotenessAddsPlaceAndHeading)
+TEST(ReferencePolicy, RemotenessAddsPlaceAndHeading)
 {
   EXPECT_EQ(mapPolicy().normalizedDistance({}), 0);
   EXPECT_NEAR(mapPolicy().normalizedDistance({0, -4, 0}), 1, 1e-12);
@@ -103,13 +103,13 @@ TEST(ReferencePolicy, remotenessAddsPlaceAndHeading)
   EXPECT_NEAR(mapPolicy().normalizedDistance({2.4, 3.2, degToRad(60)}), 2, 1e-12);
 }
 
-TEST(ReferencePolicy, aKeyframeThatSawHalfOfAScanSawEnough)
+TEST(ReferencePolicy, AKeyframeThatSawHalfOfAScanSawEnough)
 {
   EXPECT_TRUE(mapPolicy().isEnough(0.5));
   EXPECT_FALSE(mapPolicy().isEnough(0.49));
 }
 
-TEST(ReferencePolicy, aUsableMatchThatExplainsMostRaysTiesKeyframes)
+TEST(ReferencePolicy, AUsableMatchThatExplainsMostRaysTiesKeyframes)
 {
   for (const MatchStatus status :
        {MatchStatus::Converged, MatchStatus::MaxIterations, MatchStatus::Degenerate})
@@ -120,7 +120,7 @@ TEST(ReferencePolicy, aUsableMatchThatExplainsMostRaysTiesKeyframes)
   EXPECT_FALSE(mapPolicy().isLink(matchOf(MatchStatus::NoImprovement)));
 }
 
-TEST(ReferencePolicy, aMatchThatExplainsLittleIsRetried)
+TEST(ReferencePolicy, AMatchThatExplainsLittleIsRetried)
 {
   ReferenceOptions options;
   options.choice = ReferenceChoice::Sequential;
@@ -137,7 +137,7 @@ TEST(ReferencePolicy, aMatchThatExplainsLittleIsRetried)
   EXPECT_FALSE(ReferencePolicy(options).isRetried(matchOf(MatchStatus::NoImprovement, 0)));
 }
 
-TEST(ReferencePolicy, aRetryHasToBeClearlyBetter)
+TEST(ReferencePolicy, ARetryHasToBeClearlyBetter)
 {
   const MatchResult weak = matchOf(MatchStatus::Converged, 0.8);
   EXPECT_TRUE(mapPolicy().isBetter(matchOf(MatchStatus::Converged, 0.9), weak));
@@ -145,7 +145,7 @@ TEST(ReferencePolicy, aRetryHasToBeClearlyBetter)
   EXPECT_FALSE(mapPolicy().isBetter(matchOf(MatchStatus::Degenerate, 0.9), weak));
 }
 
-TEST(ReferencePolicy, keyframesAreTiedToTheLastFewAndThoseOfAMapToAny)
+TEST(ReferencePolicy, KeyframesAreTiedToTheLastFewAndThoseOfAMapToAny)
 {
   ReferenceOptions options;
   options.keyframeWindow = 20;
@@ -158,7 +158,7 @@ TEST(ReferencePolicy, keyframesAreTiedToTheLastFewAndThoseOfAMapToAny)
   EXPECT_FALSE(ReferencePolicy(options).tiesReferences());
 }
 
-TEST(ReferencePolicy, aPlaceIsSearchedForAsFarAsTheWayMayHaveDrifted)
+TEST(ReferencePolicy, APlaceIsSearchedForAsFarAsTheWayMayHaveDrifted)
 {
   ReferenceOptions options;
   options.mapDriftShare = 0.03;
@@ -174,7 +174,7 @@ TEST(ReferencePolicy, aPlaceIsSearchedForAsFarAsTheWayMayHaveDrifted)
   EXPECT_FALSE(policy.isLoopCandidate({0, 0, 0}, policy.driftAfter(1)));  // is where it is expected
 }
 
-TEST(ReferencePolicy, theNumberOfLinksIsAnOption)
+TEST(ReferencePolicy, TheNumberOfLinksIsAnOption)
 {
   ReferenceOptions options;
   options.mapLinks = 3;

@@ -100,7 +100,7 @@ class TrajectoryBuilderTest : public testing::Test
   }
 };
 
-TEST_F(TrajectoryBuilderTest, matchedScansStandWhereTheRobotStoodNotTheSensor)
+TEST_F(TrajectoryBuilderTest, MatchedScansStandWhereTheRobotStoodNotTheSensor)
 {
   const auto scans = build(6, {});
   for (int i = 0; i < 6; ++i)
@@ -110,7 +110,7 @@ TEST_F(TrajectoryBuilderTest, matchedScansStandWhereTheRobotStoodNotTheSensor)
   EXPECT_TRUE(isNearly(scans[2].T_world_odometry, measuredStep_ * measuredStep_, 1e-9, 1e-9));
 }
 
-TEST_F(TrajectoryBuilderTest, theReferenceIsReplacedAtTheTrigger)
+TEST_F(TrajectoryBuilderTest, TheReferenceIsReplacedAtTheTrigger)
 {
   const auto scans = build(7, {});  // 0.3 m a step, trigger 0.8 m
   for (const std::size_t reference : {0u, 3u, 6u}) EXPECT_TRUE(scans[reference].isReference);
@@ -119,7 +119,7 @@ TEST_F(TrajectoryBuilderTest, theReferenceIsReplacedAtTheTrigger)
   EXPECT_EQ(scans[5].matches.back().reference, 3u);
 }
 
-TEST_F(TrajectoryBuilderTest, thePaperPosesTheScansBetweenTriggersByOdometry)
+TEST_F(TrajectoryBuilderTest, ThePaperPosesTheScansBetweenTriggersByOdometry)
 {
   ReferenceOptions paper = sequential();
   paper.matchEveryScan = false;
@@ -129,7 +129,7 @@ TEST_F(TrajectoryBuilderTest, thePaperPosesTheScansBetweenTriggersByOdometry)
   EXPECT_TRUE(isNearly(scans[3].T_world_robot.pose, truth(3), 1e-9, 1e-9));
 }
 
-TEST_F(TrajectoryBuilderTest, aFailedScanMovesByOdometryAndTheNextOneRecovers)
+TEST_F(TrajectoryBuilderTest, AFailedScanMovesByOdometryAndTheNextOneRecovers)
 {
   const auto scans = build(4, {{2, Oracle::kAlways}});
   EXPECT_FALSE(scans[2].isMatched());
@@ -138,7 +138,7 @@ TEST_F(TrajectoryBuilderTest, aFailedScanMovesByOdometryAndTheNextOneRecovers)
   EXPECT_TRUE(isNearly(scans[3].T_world_robot.pose, truth(3), 1e-9, 1e-9));
 }
 
-TEST_F(TrajectoryBuilderTest, aScanThatFailsAgainstTheReferenceIsMatchedAgainstTheScanBefore)
+TEST_F(TrajectoryBuilderTest, AScanThatFailsAgainstTheReferenceIsMatchedAgainstTheScanBefore)
 {
   const auto scans = build(4, {{2, 0}});
   ASSERT_EQ(scans[2].matches.size(), 2u);
@@ -152,7 +152,7 @@ TEST_F(TrajectoryBuilderTest, aScanThatFailsAgainstTheReferenceIsMatchedAgainstT
   EXPECT_EQ(build(4, {{2, 0}}, paper)[2].matches.size(), 1u);
 }
 
-TEST_F(TrajectoryBuilderTest, aWeakMatchIsReplacedByABetterOneAgainstTheScanBefore)
+TEST_F(TrajectoryBuilderTest, AWeakMatchIsReplacedByABetterOneAgainstTheScanBefore)
 {
   Oracle weak;
   weak.scores[{2, 0}] = 0.7;
@@ -169,7 +169,7 @@ TEST_F(TrajectoryBuilderTest, aWeakMatchIsReplacedByABetterOneAgainstTheScanBefo
   EXPECT_TRUE(isNearly(asGood[3].T_world_robot.pose, truth(3), 1e-9, 1e-9));
 }
 
-TEST_F(TrajectoryBuilderTest, whatFailsIsTriedWithoutFaithInTheOdometry)
+TEST_F(TrajectoryBuilderTest, WhatFailsIsTriedWithoutFaithInTheOdometry)
 {
   Oracle doubting;
   doubting.needsSigma_m[2] = OdometryOptions().unknownSigma_m;
@@ -178,7 +178,7 @@ TEST_F(TrajectoryBuilderTest, whatFailsIsTriedWithoutFaithInTheOdometry)
   EXPECT_TRUE(isNearly(scans[2].T_world_robot.pose, truth(2), 1e-9, 1e-9));
 }
 
-TEST_F(TrajectoryBuilderTest, aScanIsStraightenedByWhatTheRobotTurnsMeanwhile)
+TEST_F(TrajectoryBuilderTest, AScanIsStraightenedByWhatTheRobotTurnsMeanwhile)
 {
   auto oracle = std::make_unique<Oracle>();
   for (int i = 0; i < 2; ++i) oracle->T_world_sensor[i] = truth(i);
@@ -194,7 +194,7 @@ TEST_F(TrajectoryBuilderTest, aScanIsStraightenedByWhatTheRobotTurnsMeanwhile)
   EXPECT_NEAR(builder.scans()[1].scan.grid.fieldOfView_rad(), kPi + degToRad(3), 1e-9);
 }
 
-TEST_F(TrajectoryBuilderTest, aReferenceThatFailsAgainAndAgainIsGivenUp)
+TEST_F(TrajectoryBuilderTest, AReferenceThatFailsAgainAndAgainIsGivenUp)
 {
   std::map<double, double> fails;
   for (int i = 1; i < 6; ++i) fails[i] = 0;
@@ -204,7 +204,7 @@ TEST_F(TrajectoryBuilderTest, aReferenceThatFailsAgainAndAgainIsGivenUp)
   EXPECT_EQ(scans[6].matches.back().reference, 5u);
 }
 
-TEST_F(TrajectoryBuilderTest, withoutOdometryTheLastMotionIsAssumedAgain)
+TEST_F(TrajectoryBuilderTest, WithoutOdometryTheLastMotionIsAssumedAgain)
 {
   const auto scans = build(4, {{3, Oracle::kAlways}}, {}, false);
   EXPECT_TRUE(isNearly(scans[3].T_world_robot.pose, truth(3), 1e-9, 1e-9));
@@ -310,7 +310,7 @@ class MapLoop : public testing::Test
   std::vector<Pose2> truth_;
 };
 
-TEST_F(MapLoop, backAtTheStartTheErrorIsThatOfTheStart)
+TEST_F(MapLoop, BackAtTheStartTheErrorIsThatOfTheStart)
 {
   const TrajectoryBuilder sequential = driven(ReferenceChoice::Sequential);
   const TrajectoryBuilder map = driven(ReferenceChoice::Map);
@@ -321,7 +321,7 @@ TEST_F(MapLoop, backAtTheStartTheErrorIsThatOfTheStart)
   EXPECT_LT(reference, 12U);
 }
 
-TEST_F(MapLoop, keyframesAreTiedToTheLastFewOnly)
+TEST_F(MapLoop, KeyframesAreTiedToTheLastFewOnly)
 {
   const TrajectoryBuilder keyframe = driven(ReferenceChoice::Keyframe);
   std::vector<std::size_t> keyframes;
@@ -339,7 +339,7 @@ TEST_F(MapLoop, keyframesAreTiedToTheLastFewOnly)
   EXPECT_GT(links, 0U);
 }
 
-TEST_F(MapLoop, itIsClosedByLinksToEarlierKeyframes)
+TEST_F(MapLoop, ItIsClosedByLinksToEarlierKeyframes)
 {
   const TrajectoryBuilder map = driven(ReferenceChoice::Map);
   const auto& scans = map.scans();
@@ -362,7 +362,7 @@ TEST_F(MapLoop, itIsClosedByLinksToEarlierKeyframes)
   for (const PosedScan& scan : untied.scans()) EXPECT_TRUE(scan.links.empty());
 }
 
-TEST_F(MapLoop, aMatchThatNeitherTheMapNorAnotherMatchConfirmsTiesNothing)
+TEST_F(MapLoop, AMatchThatNeitherTheMapNorAnotherMatchConfirmsTiesNothing)
 {
   BiasedOracle liar;
   liar.liesFrom_m = 1.5;
@@ -377,7 +377,7 @@ TEST_F(MapLoop, aMatchThatNeitherTheMapNorAnotherMatchConfirmsTiesNothing)
   EXPECT_LT(error_m(map.scans().back()), 0.02);
 }
 
-TEST_F(MapLoop, aKeyframeJoinsWhereNoneIsNear)
+TEST_F(MapLoop, AKeyframeJoinsWhereNoneIsNear)
 {
   const TrajectoryBuilder map = driven(ReferenceChoice::Map);
   int keyframes = 0;
@@ -387,7 +387,7 @@ TEST_F(MapLoop, aKeyframeJoinsWhereNoneIsNear)
   EXPECT_LT(keyframes, 70);
 }
 
-TEST_F(MapLoop, settleMovesEarlierScansWithTheirReferences)
+TEST_F(MapLoop, SettleMovesEarlierScansWithTheirReferences)
 {
   TrajectoryBuilder map = driven(ReferenceChoice::Map);
   const double before_m = meanErrorBetweenReferences_m(map);

@@ -33,7 +33,7 @@ class GroundTruthTest : public testing::Test
   const test::ScratchFolder folder_;
 };
 
-TEST_F(GroundTruthTest, liesBesideItsLog)
+TEST_F(GroundTruthTest, LiesBesideItsLog)
 {
   for (const char* log : {"drive.rawlog", "drive.log", "drive.log.gz", "drive.clf"})
     for (const char* file :
@@ -42,7 +42,7 @@ TEST_F(GroundTruthTest, liesBesideItsLog)
   EXPECT_EQ(found("drive.rawlog", "drive.rawlog.GT.txt"), path("drive.rawlog.GT.txt"));
 }
 
-TEST_F(GroundTruthTest, ofAnotherLogIsNotTaken)
+TEST_F(GroundTruthTest, OfAnotherLogIsNotTaken)
 {
   EXPECT_EQ(found("drive.rawlog", "other.gt.tum"), std::nullopt);
   EXPECT_EQ(found("drive.rawlog", "drive.tum"), std::nullopt);
@@ -50,7 +50,7 @@ TEST_F(GroundTruthTest, ofAnotherLogIsNotTaken)
   EXPECT_EQ(found("drive.day2.log.gz", "drive.day2.gt.tum"), path("drive.day2.gt.tum"));
 }
 
-TEST_F(GroundTruthTest, relationsLieBesideTheirLog)
+TEST_F(GroundTruthTest, RelationsLieBesideTheirLog)
 {
   EXPECT_EQ(relationsBeside(path("drive.log.gz")), std::nullopt);
   std::ofstream(path("drive.relations")) << "0 1 0 0 0 0 0 0\n";
@@ -58,7 +58,7 @@ TEST_F(GroundTruthTest, relationsLieBesideTheirLog)
   EXPECT_EQ(readTrueRelations(path("drive.relations")).size(), 1u);
 }
 
-TEST_F(GroundTruthTest, whatCannotBeReadIsDamagedInput)
+TEST_F(GroundTruthTest, WhatCannotBeReadIsDamagedInput)
 {
   EXPECT_TRUE(says(thrownText<ProgramError>([&] { readGroundTruth(path("none.tum")); }),
                    {"ground truth ", "none.tum", "no such file"}));

@@ -7,7 +7,7 @@
 
 namespace psmks::test
 {
-TEST(ScratchFolder, isRemovedWithWhatIsInIt)
+TEST(ScratchFolder, IsRemovedWithWhatIsInIt)
 {
   std::string path;
   {
@@ -20,7 +20,7 @@ TEST(ScratchFolder, isRemovedWithWhatIsInIt)
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST(ScratchFolder, isNobodyElses)
+TEST(ScratchFolder, IsNobodyElses)
 {
   const ScratchFolder one, other;
   EXPECT_NE(one.path(), other.path());

@@ -32,7 +32,7 @@ std::string printedBy(const std::string& command)
 }
 }  // namespace
 
-TEST(Plugin, makesTheMatcherByName)
+TEST(Plugin, MakesTheMatcherByName)
 {
   EXPECT_FALSE(mrpt::rtti::classFactory("psmks::ScanMatcher"));
 
@@ -59,7 +59,7 @@ TEST(Plugin, makesTheMatcherByName)
   EXPECT_NEAR(pose->getMeanVal().phi(), 0, 2e-3);
 }
 
-TEST(Plugin, isLoadedByRawlogEdit)
+TEST(Plugin, IsLoadedByRawlogEdit)
 {
   if (printedBy("command -v rawlog-edit").empty()) GTEST_SKIP() << "rawlog-edit is not installed";
   if (!std::filesystem::exists(kRawlog)) GTEST_SKIP() << kRawlog << " is not installed";
