@@ -70,26 +70,27 @@ void Matcher::segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedSc
 }
 
 MatchResult Matcher::match(const SegmentedScan& reference, const SegmentedScan& current,
-                           const Guess& guess, MatcherWorkspace& workspace, MatchTrace* trace) const
+                           const Guess& guess, MatcherWorkspace& workspace, MatchTrace* trace,
+                           SearchScope scope) const
 {
   const bool usable = isUsable(guess) && reference.hasValidRay() && current.hasValidRay();
   if (!usable) return invalidInput(guess);
   if (options_.scheme == Scheme::Paper)
     return matchByPaperScheme(reference, current, guess, options_.paper, externalSolvers_.get(),
                               workspace.buffers().paper, trace);
-  return matchByJointScheme(reference, current, guess, options_.joint, externalSolvers_.get(),
-                            workspace.buffers().joint, trace);
+  return matchByJointScheme(reference, current, guess, scope, options_.joint,
+                            externalSolvers_.get(), workspace.buffers().joint, trace);
 }
 
 MatchResult Matcher::match(const Scan& reference, const Scan& current, const Guess& guess,
-                           MatcherWorkspace& workspace, MatchTrace* trace) const
+                           MatcherWorkspace& workspace, MatchTrace* trace, SearchScope scope) const
 {
   Stopwatch watch;
   MatcherWorkspace::Buffers& buffers = workspace.buffers();
   segment(reference, workspace, buffers.reference);
   segment(current, workspace, buffers.current);
   const double segmentation_s = watch.lap_s();
-  MatchResult result = match(buffers.reference, buffers.current, guess, workspace, trace);
+  MatchResult result = match(buffers.reference, buffers.current, guess, workspace, trace, scope);
   result.times.segmentation_s += segmentation_s;
   return result;
 }

@@ -7,6 +7,7 @@
 #include <psmks/match/Guess.h>
 #include <psmks/match/MatchResult.h>
 #include <psmks/match/MatchTrace.h>
+#include <psmks/match/SearchScope.h>
 #include <psmks/segmentation/ScannerNoise.h>
 #include <psmks/segmentation/SegmentedScan.h>
 
@@ -51,14 +52,16 @@ class Matcher
 
   /** Pose of the current scan in the frame of the reference scan. Bad data never throws: see
    *  MatchStatus.
-   *  @param trace filled with the steps where not null */
+   *  @param trace filled with the steps where not null
+   *  @param scope how far from the guess the joint scheme looks; the paper's scheme has but one */
   MatchResult match(const SegmentedScan& reference, const SegmentedScan& current,
-                    const Guess& guess, MatcherWorkspace& workspace,
-                    MatchTrace* trace = nullptr) const;
+                    const Guess& guess, MatcherWorkspace& workspace, MatchTrace* trace = nullptr,
+                    SearchScope scope = SearchScope::Full) const;
 
   /** The same from raw scans: segments both, and counts the time of it. */
   MatchResult match(const Scan& reference, const Scan& current, const Guess& guess,
-                    MatcherWorkspace& workspace, MatchTrace* trace = nullptr) const;
+                    MatcherWorkspace& workspace, MatchTrace* trace = nullptr,
+                    SearchScope scope = SearchScope::Full) const;
 
  private:
   MatcherOptions options_;

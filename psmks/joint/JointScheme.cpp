@@ -26,7 +26,7 @@ void tryGuess(JointMatch& match, CandidateSearch& search)
 }  // namespace
 
 MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedScan& current,
-                               const Guess& guess, const JointOptions& options,
+                               const Guess& guess, SearchScope scope, const JointOptions& options,
                                const ExternalSolvers* external, JointBuffers& buffers,
                                MatchTrace* trace)
 {
@@ -36,7 +36,7 @@ MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedSc
   Refinement refinement(match);
   CandidateSearch search(match, verifier, refinement);
   const RefinedPose& best = search.best();
-  const bool searchesWide = options.wideRadius_m > 0 && !guess.isTrial;
+  const bool searchesWide = options.wideRadius_m > 0 && scope == SearchScope::Full;
   if (searchesWide) search.reserve();
 
   tryGuess(match, search);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <psmks/joint/JointMatch.h>
+#include <psmks/match/SearchScope.h>
 #include <psmks/segmentation/SegmentedScan.h>
 
 namespace psmks
@@ -17,10 +18,11 @@ namespace psmks
  *  4. Accept the pose with the best score if that is high enough; find out what it and its
  *     rivals leave open.
  *
+ * @param scope NearGuess leaves the search far from the guess out of step 3
  * @param external null unless options.solver is Ceres
  * @param trace may be null */
 MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedScan& current,
-                               const Guess& guess, const JointOptions& options,
+                               const Guess& guess, SearchScope scope, const JointOptions& options,
                                const ExternalSolvers* external, JointBuffers& buffers,
                                MatchTrace* trace);
 }  // namespace psmks

@@ -18,9 +18,5 @@ struct Guess
    * acceptable and is given up; absent, it is a starting
    * point and nothing more. */
   std::optional<Eigen::Matrix3d> covariance;
-
-  /** One of several guesses of which most may be wrong: where nothing near it explains the scans,
-   * no grid of poses about it is tried. */
-  bool isTrial = false;
 };
 }  // namespace psmks

@@ -5,6 +5,7 @@
 #include <psmks/geometry/Scan.h>
 #include <psmks/match/Guess.h>
 #include <psmks/match/MatchResult.h>
+#include <psmks/match/SearchScope.h>
 
 #include <memory>
 #include <string>
@@ -30,8 +31,10 @@ class PairMatcher
   virtual void setReference(const Scan& reference) { reference_ = reference; }
 
   /** As match() against the last reference that was set, whose preparation is not repeated. The
-   * scans are those of one scanner: a method may learn of its noise. */
-  virtual MatchResult matchToReference(const Scan& current, const Guess& guess)
+   * scans are those of one scanner: a method may learn of its noise.
+   *  @param scope how far from the guess psmks' joint scheme looks; other methods have but one */
+  virtual MatchResult matchToReference(const Scan& current, const Guess& guess,
+                                       [[maybe_unused]] SearchScope scope = SearchScope::Full)
   {
     return match(reference_, current, guess);
   }

@@ -56,7 +56,7 @@ class PsmPairMatcher : public PairMatcher
     Stopwatch stopwatch;
     setReference(reference);
     const double reference_s = stopwatch.lap_s();
-    MatchResult result = matchToReference(current, guess);
+    MatchResult result = matchToReference(current, guess, SearchScope::Full);
     result.times.segmentation_s += reference_s;
     return result;
   }
@@ -66,7 +66,8 @@ class PsmPairMatcher : public PairMatcher
     preparePsmScan(reference, matcher_.options(), reference_);
   }
 
-  MatchResult matchToReference(const Scan& current, const Guess& guess) override
+  MatchResult matchToReference(const Scan& current, const Guess& guess,
+                               SearchScope /*scope*/) override
   {
     Stopwatch stopwatch;
     preparePsmScan(current, matcher_.options(), current_);

@@ -30,14 +30,14 @@ class PsmksPairMatcher : public PairMatcher
     matcher_.segment(reference, workspace_, reference_, scanner_);
   }
 
-  MatchResult matchToReference(const Scan& current, const Guess& guess) override
+  MatchResult matchToReference(const Scan& current, const Guess& guess, SearchScope scope) override
   {
     Stopwatch stopwatch;
     matcher_.segment(current, workspace_, current_, scanner_);
     scanner_.add(current_.showsMoreNoise);
     const double segmentation_s = stopwatch.lap_s();
 
-    MatchResult result = matcher_.match(reference_, current_, guess, workspace_);
+    MatchResult result = matcher_.match(reference_, current_, guess, workspace_, nullptr, scope);
     result.times.segmentation_s += segmentation_s;
     return result;
   }

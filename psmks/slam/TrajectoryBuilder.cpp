@@ -155,7 +155,7 @@ UncertainPose TrajectoryBuilder::measuredMotion(const std::optional<Pose2>& odom
 }
 
 ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, std::size_t reference,
-                                        const UncertainPose& T_ref_cur, bool isTrial)
+                                        const UncertainPose& T_ref_cur, SearchScope scope)
 {
   const Pose2& mountingRef = scans_[reference].T_robot_sensor;
   const Pose2& mountingCur = current.T_robot_sensor;
@@ -165,7 +165,7 @@ ReferenceMatch TrajectoryBuilder::match(const PosedScan& current, std::size_t re
   match.reference = reference;
   Stopwatch stopwatch;
   match.result =
-      matcher_->matchToReference(current.scan, Guess{guess.pose, guess.covariance, isTrial});
+      matcher_->matchToReference(current.scan, Guess{guess.pose, guess.covariance}, scope);
   match.time_s = stopwatch.lap_s();
   match.T_ref_cur =
       conjugated({match.result.T_ref_cur, match.result.covariance}, mountingRef, mountingCur);
@@ -199,7 +199,6 @@ void TrajectoryBuilder::joinMap(std::size_t index)
 
 std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(const PosedScan& current)
 {
-  constexpr bool kIsTrial = true;
   std::vector<ReferenceMatch> found;
   const auto tie = [&](const std::vector<KeyframeMap::View>& views, std::size_t most)
   {
@@ -209,8 +208,8 @@ std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(const PosedScan& cu
       if (view.keyframe == reference_) continue;
       if (tried++ == most) break;
       matcher_->setReference(scans_[view.keyframe].scan);
-      const ReferenceMatch candidate =
-          match(current, view.keyframe, {view.T_keyframe_cur, vagueCovariance()}, kIsTrial);
+      const ReferenceMatch candidate = match(
+          current, view.keyframe, {view.T_keyframe_cur, vagueCovariance()}, SearchScope::NearGuess);
       if (policy_.isLink(candidate.result)) found.push_back(candidate);
     }
   };

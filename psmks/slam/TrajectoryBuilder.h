@@ -51,7 +51,7 @@ class TrajectoryBuilder
   void matchWithInflatedPrior(PosedScan& current, const UncertainPose& motion);
   UncertainPose measuredMotion(const std::optional<Pose2>& odometry) const;
   ReferenceMatch match(const PosedScan& current, std::size_t reference,
-                       const UncertainPose& T_ref_cur, bool isTrial = false);
+                       const UncertainPose& T_ref_cur, SearchScope scope = SearchScope::Full);
   bool isNewReference() const;
   void makeReference(std::size_t index);
   void returnTo(std::size_t keyframe);

@@ -79,7 +79,7 @@ class WideSearchAmongBoxes : public testing::Test
   }
 
   /** From a guess that was measured, with 15 cm and 12 degrees, and is wrong by more. */
-  MatchResult match(bool isTrial) const
+  MatchResult match(SearchScope scope) const
   {
     const BeamGrid grid = BeamGrid::centered(kPi, 181);
     constexpr double kReach_m = 8, kSigma_m = 0.01;
@@ -89,9 +89,8 @@ class WideSearchAmongBoxes : public testing::Test
     Guess guess;
     const Eigen::Vector3d sigma(0.15, 0.15, degToRad(12));
     guess.covariance = sigma.cwiseAbs2().asDiagonal();
-    guess.isTrial = isTrial;
     MatcherWorkspace workspace;
-    return Matcher().match(reference, current, guess, workspace);
+    return Matcher().match(reference, current, guess, workspace, nullptr, scope);
   }
 
   const Pose2 kMoved{0.15, 0.1, degToRad(20)};
@@ -99,11 +98,14 @@ class WideSearchAmongBoxes : public testing::Test
 
 TEST_F(WideSearchAmongBoxes, FindsWhatNoLineVotesForAboutAMeasuredGuess)
 {
-  const MatchResult result = match(false);
+  const MatchResult result = match(SearchScope::Full);
   ASSERT_TRUE(result.usable()) << result.report();
   EXPECT_LT((result.T_ref_cur.translation() - kMoved.translation()).norm(), 0.02);
   EXPECT_LT(std::abs(wrapAngle(result.T_ref_cur.phi_rad - kMoved.phi_rad)), degToRad(0.5));
 }
 
-TEST_F(WideSearchAmongBoxes, IsNotMadeForATrial) { EXPECT_FALSE(match(true).usable()); }
+TEST_F(WideSearchAmongBoxes, IsNotMadeNearTheGuess)
+{
+  EXPECT_FALSE(match(SearchScope::NearGuess).usable());
+}
 }  // namespace psmks

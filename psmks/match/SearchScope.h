@@ -1,0 +1,21 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+namespace psmks
+{
+/** How far from its guess a match may look for the pose. The caller chooses it for every match; the
+ *  distances are options of the scheme. */
+enum class SearchScope
+{
+  /** As far as the options allow. The joint scheme tries a grid of poses, up to
+   * `joint.wide_radius_m` and `joint.wide_angle_deg` from the guess, where no pose nearer to it
+   * explains the scans, and gives up a guess with a covariance that leaves nothing acceptable. */
+  Full,
+
+  /** Without that grid of poses: cheap to refuse, for one of several guesses of which most are
+   *  wrong, such as those of keyframes that may show the same place. The joint scheme still looks
+   *  for poses that lines vote for within `joint.search_radius_m` and `joint.search_angle_deg`, and
+   *  along walls that leave the place of a guess without covariance open. */
+  NearGuess
+};
+}  // namespace psmks
