@@ -29,8 +29,8 @@ std::optional<std::size_t> StampIndex::nearest(double stamp_s, double tolerance_
     const bool isFirst = !best || entry.pose < best->pose;
     if (away_s < bestAway_s || (away_s == bestAway_s && isFirst)) best = entry;
   };
-  if (after != entries_.begin()) refineAndKeep(*firstNotBefore(std::prev(after)->stamp_s));
-  if (after != entries_.end()) refineAndKeep(*after);
+  if (after != entries_.begin()) consider(*firstNotBefore(std::prev(after)->stamp_s));
+  if (after != entries_.end()) consider(*after);
   if (!best) return std::nullopt;
   return best->pose;
 }

@@ -150,7 +150,7 @@ void CandidateSearch::propose(const SearchLimits& limits)
 void CandidateSearch::considerMostPromising(int most)
 {
   constexpr double kHopeless =
-      0.75;  // hypothesisScore, as a share of the best score, not worth a look
+      0.75;  // score of a start, as a share of the best score, not worth a look
   Stopwatch watch;
   std::vector<Hypothesis>& starts = match_.buffers.hypotheses;
   for (Hypothesis& h : starts) h.score = hypothesisScore_.of(h.T_ref_cur);

@@ -12,7 +12,7 @@ constexpr double kStep_m = 0.1;
 
 int stepsWithin(double reach_m) { return static_cast<int>(reach_m / kStep_m); }
 
-/** The hypothesisScore of a place, or of the heading beside its own that promises clearly more. */
+/** The score of a place, or of the heading beside its own where that scores clearly higher. */
 Hypothesis bestHeading(const HypothesisScore& hypothesisScore, const Pose2& T_ref_cur,
                        double turn_rad)
 {

@@ -15,7 +15,7 @@ struct AlongLimits
   double reach_m;        //!< to either side
   double turn_rad;       //!< far along, a heading wrong by this much is tried too; 0: none
   std::size_t most;      //!< places kept
-  double missedPromise;  //!< those that hypothesisScore less than the best by more are dropped
+  double missedPromise;  //!< places that score less than the best one by more are dropped
 };
 
 /** The most promising places on a line through a pose, best first, but for that pose itself. */

@@ -27,7 +27,7 @@ class PsmMatcher::Run
   PsmResult result()
   {
     result_.status = alternate();
-    if (result_.usable()) result_.status = verifier();
+    if (result_.usable()) result_.status = judge();
     result_.T_ref_cur = result_.usable() ? T_ref_cur_ : guess_;
     return result_;
   }
@@ -86,7 +86,7 @@ class PsmMatcher::Run
   }
 
   /** Error index and covariance of the final pose. */
-  PsmStatus verifier()
+  PsmStatus judge()
   {
     result_.errorIndex_m = errorIndex_m();
     if (!std::isfinite(result_.errorIndex_m) || !T_ref_cur_.isFinite())

@@ -41,7 +41,7 @@ TEST(PairBoundOnGeneratedPairs, IsThatOfTheKnownWorld)
   {
     const std::vector<double> ratios = sigmaRatios(family, 60);
     EXPECT_NEAR(median(ratios), 1, 0.05) << family;
-    EXPECT_GT(quantile(ratios, 0.05), 0.95) << family << ": it must not hypothesisScore too much";
+    EXPECT_GT(quantile(ratios, 0.05), 0.95) << family << ": it must not promise too much";
     EXPECT_LT(quantile(ratios, 0.95), 1.3) << family;
   }
 }

@@ -201,7 +201,7 @@ Chart chart(const std::string& title, const ExactPair& pair)
 class Extremes
 {
  public:
-  void refineAndKeep(const ExactPair& pair)
+  void consider(const ExactPair& pair)
   {
     const double error_m = compareRays(pair, pair.T_ref_cur).absolute_m;
     if (error_m < least_m_) clearest_ = pair;
@@ -233,7 +233,7 @@ OrientationExperiment orientationExperiment(unsigned seed)
     count(experiment.similar, searchSimilar(pair, similar));
     count(experiment.absolute, miss_rad(rays.absolute));
     count(experiment.squared, miss_rad(rays.squared));
-    extremes.refineAndKeep(pair);
+    extremes.consider(pair);
   }
   experiment.figure.title = "Orientation search on exact scans from true positions";
   experiment.figure.panels = {chart("No bad associations", extremes.clearest()),

@@ -147,7 +147,7 @@ TEST(LinePairing, SingleRaysPairInBothDirections)
 }
 
 //     O          a pillar before a wall: in the last association it is one pair, and its rays,
-//     unsegmentedRays
+//     single rays
 //  -------       until then, take no further part
 TEST(LinePairing, CirclesTakeTheRaysOfThePillarsTheyStandFor)
 {
