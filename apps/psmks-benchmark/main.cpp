@@ -1,12 +1,12 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/psmks-benchmark/ConvergenceCommand.h>
-#include <apps/psmks-benchmark/ExperimentsCommand.h>
-#include <apps/psmks-benchmark/GrowthCommand.h>
-#include <apps/psmks-benchmark/LogsCommand.h>
-#include <apps/psmks-benchmark/PairsCommand.h>
-#include <apps/psmks-benchmark/SegmentationCommand.h>
-#include <apps/psmks-benchmark/SelfmatchCommand.h>
-#include <apps/psmks-benchmark/StepsCommand.h>
+#include <apps/psmks-benchmark/convergence/ConvergenceCommand.h>
+#include <apps/psmks-benchmark/experiments/ExperimentsCommand.h>
+#include <apps/psmks-benchmark/experiments/SegmentationCommand.h>
+#include <apps/psmks-benchmark/growth/GrowthCommand.h>
+#include <apps/psmks-benchmark/logs/LogsCommand.h>
+#include <apps/psmks-benchmark/logs/SelfmatchCommand.h>
+#include <apps/psmks-benchmark/logs/StepsCommand.h>
+#include <apps/psmks-benchmark/pairs/PairsCommand.h>
 #include <apps/support/ExitCode.h>
 #include <psmks/matchers/PairMatcherRegistration.h>
 

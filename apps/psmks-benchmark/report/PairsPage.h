@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <apps/psmks-benchmark/PairsSetResult.h>
+#include <apps/psmks-benchmark/pairs/PairsSetResult.h>
 #include <apps/psmks-benchmark/report/HtmlPage.h>
 #include <psmks/eval/Table.h>
 

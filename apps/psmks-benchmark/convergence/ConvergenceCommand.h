@@ -1,0 +1,55 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/psmks-benchmark/CommonFlags.h>
+#include <apps/psmks-benchmark/Pictures.h>
+#include <apps/psmks-benchmark/TableOutput.h>
+#include <apps/psmks-benchmark/convergence/Convergence.h>
+#include <apps/psmks-benchmark/pairs/PairsInput.h>
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** `psmks-benchmark convergence SET...`: success of matchers over the distance of the guess from
+ * the truth, as tables and as one picture a matcher. */
+class ConvergenceCommand
+{
+ public:
+  explicit ConvergenceCommand(CLI::App& app);
+
+  /** @return the program's exit code
+   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
+  int run();
+
+ private:
+  struct SetResult
+  {
+    std::string title;
+    std::vector<ConvergenceMap> maps;  //!< one a matcher
+  };
+
+  void measure(const PairsInput& input);
+  void write();
+  void savePictures();
+  std::string page(const std::vector<Table>& tables) const;
+
+  std::vector<std::string> sets_;
+  int pairs_ = 50;
+  int steps_ = ConvergenceGrid::kSteps;
+  double maxDistance_m_ = ConvergenceGrid::kMaxDistance_m;
+  double maxRotation_deg_ = ConvergenceGrid::kMaxRotation_deg;
+  OptionFlags optionFlags_;
+  std::string folder_, htmlPath_;
+  ConvergenceOptions options_;
+  TableOutput output_;
+
+  std::vector<SetResult> results_;
+  std::ofstream html_;
+  std::optional<Pictures> pictures_;
+  bool damaged_ = false;
+};
+}  // namespace psmks

@@ -1,0 +1,104 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-benchmark/Machine.h>
+#include <apps/psmks-benchmark/logs/LogsCommand.h>
+#include <apps/psmks-benchmark/report/CommandLine.h>
+#include <apps/support/ExitCode.h>
+#include <apps/support/Progress.h>
+
+namespace psmks
+{
+namespace
+{
+bool everyMatchFailed(const std::vector<LogRun>& runs)
+{
+  std::size_t matches = 0, failures = 0;
+  for (const auto& run : runs)
+  {
+    if (run.matcher == kNoMatcher) continue;
+    matches += run.summary.matches;
+    failures += run.summary.failures();
+  }
+  return matches > 0 && failures == matches;
+}
+}  // namespace
+
+LogsCommand::LogsCommand(CLI::App& app)
+{
+  input_.addLogFlags(app);
+  input_.addGroundTruthFlag(app);
+  input_.addRelationsFlag(app);
+  addMatchersFlag(app, matchers_);
+  app.add_option("--references", references_, "the scan to match against")
+      ->delimiter(',')
+      ->check(CLI::IsMember(references_))
+      ->capture_default_str();
+  addRepeatsFlag(app, repeats_);
+  optionFlags_.addTo(app);
+  output_.addFlags(app);
+  app.add_option("--html", htmlPath_, "write one page: tables, the worst motions drawn")
+      ->type_name("FILE");
+  app.add_option("--draw-worst", drawn_, "motions of each run on that page")->capture_default_str();
+}
+
+int LogsCommand::run()
+{
+  input_.check();
+  options_ = optionFlags_.options();
+  checkMatchers(matchers_, options_.matching.matcher);
+  output_.open();
+  if (!htmlPath_.empty()) html_ = createFile("--html", htmlPath_);
+
+  std::vector<Table> tables;
+  std::vector<LogRun> all;
+  for (const auto& log : input_.read(options_.matching))
+  {
+    const std::vector<LogRun> some = runs(log);
+    tables.push_back(logTable(log.title, some));
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  if (!tables.empty()) write(tables, all);
+
+  if (input_.isDamaged()) return kInputDamaged;
+  if (tables.empty()) return kNothingToDo;
+  return everyMatchFailed(all) ? kEveryMatchFailed : kOk;
+}
+
+std::vector<LogRun> LogsCommand::runs(const Log& log)
+{
+  const std::vector<Method> methods = chosenMethods();
+  std::vector<LogRun> runs(methods.size());
+  Progress progress(log.title);
+  const double total = static_cast<double>(methods.size()) * repeats_;
+  int done = 0;
+  for (int repeat = 0; repeat < repeats_; ++repeat)
+    for (std::size_t m = 0; m < methods.size(); ++m)
+    {
+      LogRun run =
+          runLog(log, methods[m].first, methods[m].second, options_, html_.is_open() ? drawn_ : 0);
+      if (run.time_s < runs[m].time_s) runs[m] = std::move(run);
+      progress.show(++done / total);
+    }
+  return runs;
+}
+
+void LogsCommand::write(const std::vector<Table>& tables, const std::vector<LogRun>& runs)
+{
+  output_.write(tables);
+  if (!html_.is_open()) return;
+  std::vector<DrawnRun> drawn;
+  for (const LogRun& run : runs)
+    if (!run.worst.records.empty()) drawn.push_back(run.worst);
+  html_ << logsPage({Machine::present().line(), commandLine()}, tables, drawn);
+}
+
+/** The odometry needs no more than one choice of references: it is the same with all. */
+std::vector<LogsCommand::Method> LogsCommand::chosenMethods() const
+{
+  std::vector<Method> methods;
+  for (const auto& matcher : matchers_)
+    for (const auto& reference : references_)
+      if (matcher != kNoMatcher || reference == references_.front())
+        methods.emplace_back(matcher, reference);
+  return methods;
+}
+}  // namespace psmks

@@ -1,0 +1,29 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/psmks-benchmark/logs/LogPairsBenchmark.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** `psmks-benchmark steps LOG...`: matchers on scans of a log that follow each other, held against
+ * a true trajectory. */
+class StepsCommand
+{
+ public:
+  explicit StepsCommand(CLI::App& app);
+
+  /** As LogPairsBenchmark::run(). */
+  int run();
+
+ private:
+  std::vector<LogPairs> pairs(const Log& log, const OdometryOptions& odometry) const;
+
+  LogPairsBenchmark benchmark_;
+  std::vector<int> every_{1};
+  std::vector<std::string> guesses_{kZeroGuess, kOdometryGuess};
+};
+}  // namespace psmks

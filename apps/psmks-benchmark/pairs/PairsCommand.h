@@ -1,0 +1,48 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#pragma once
+
+#include <apps/psmks-benchmark/CommonFlags.h>
+#include <apps/psmks-benchmark/pairs/PairsBenchmark.h>
+#include <apps/psmks-benchmark/pairs/PairsInput.h>
+#include <apps/psmks-benchmark/pairs/PairsOutput.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace psmks
+{
+/** `psmks-benchmark pairs SET...`: matchers on scan pairs, one table a set, which is a file or the
+ * name of one to be generated, and one over all sets without moving objects. */
+class PairsCommand
+{
+ public:
+  explicit PairsCommand(CLI::App& app);
+
+  /** @return the program's exit code
+   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
+  int run();
+
+ private:
+  void addInputFlags(CLI::App& app);
+  void addMatchFlags(CLI::App& app);
+  void requireInput() const;
+  void match(const PairsInput& input);
+  std::vector<Guesses> guesses(const std::vector<ScanPair>& pairs) const;
+  std::vector<Panel> convergence(const std::vector<ScanPair>& pairs) const;
+  std::vector<Table> tables() const;
+
+  std::vector<std::string> sets_;
+  bool listsSets_ = false;
+  PairsChoice choice_;
+  std::string saveFolder_;
+  double rangeSigma_m_ = 0;  //!< 0 = the set's own
+  std::vector<std::string> guesses_{kZeroGuess, kOdometryGuess};
+  double odometrySigma_m_ = 0.07;
+  double odometrySigma_deg_ = 8;
+  int convergencePairs_ = 20;
+  OptionFlags optionFlags_;
+  PairsBenchmarkOptions options_;
+  PairsOutput output_;
+};
+}  // namespace psmks

@@ -1,0 +1,98 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/psmks-benchmark/pairs/PairsInput.h>
+#include <apps/psmks-benchmark/pairs/ScanPairs.h>
+
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace psmks
+{
+namespace
+{
+constexpr const char* kExtension = ".pairs";
+
+void describe(PairsInput& input, const PairFamily& family)
+{
+  input.rangeNoise = family.rangeNoise();
+  input.hasMovingObjects = family.people > 0;
+}
+
+PairsInput generatedPairs(const PairFamily& family, unsigned seed, int count)
+{
+  PairsInput input;
+  input.title = family.name;
+  input.header = {family.laser.grid, family.laser.maxRange_m, count};
+  describe(input, family);
+  input.pairs = scanPairs(makePairSet(family, seed, count));
+  return input;
+}
+
+/** @param[out] input all that was read before an error
+ *  @throws PairsFileError */
+void readPairs(const std::string& path, int maxPairs, PairsInput& input)
+{
+  const std::string name = std::filesystem::path(path).filename().string();
+  input.title = name.substr(0, name.find(kExtension));
+  if (const PairFamily* family = findPairFamily(input.title)) describe(input, *family);
+  PairsReader reader(path);
+  input.header = reader.header();
+  const auto wanted = static_cast<std::size_t>(maxPairs);
+  for (ScanPair pair; (maxPairs == 0 || input.pairs.size() < wanted) && reader.read(pair);)
+    input.pairs.push_back(pair);
+}
+}  // namespace
+
+bool isGenerated(const std::string& argument)
+{
+  return findPairFamily(argument) != nullptr && !std::filesystem::exists(argument);
+}
+
+bool looksLikeASet(const std::string& argument)
+{
+  return argument.find_first_of("./\\") == std::string::npos && !std::filesystem::exists(argument);
+}
+
+std::string listOfSets()
+{
+  constexpr int kNameWidth = 16;
+  std::ostringstream text;
+  for (const PairFamily& family : pairFamilies())
+    text << std::left << std::setw(kNameWidth) << family.name << family.description << '\n';
+  return text.str();
+}
+
+PairsInput inputPairs(const std::string& argument, const PairsChoice& choice)
+{
+  PairsInput input;
+  try
+  {
+    if (isGenerated(argument))
+      input = generatedPairs(pairFamily(argument), choice.seed, choice.generated);
+    else
+      readPairs(argument, choice.read, input);
+    if (input.pairs.empty()) std::cerr << "psmks-benchmark: " << argument << ": holds no pair\n";
+  }
+  catch (const PairsFileError& error)
+  {
+    input.isDamaged = true;
+    std::cerr << "psmks-benchmark: " << error.what() << '\n';
+  }
+  return input;
+}
+
+void savePairs(const std::string& folder, const PairsInput& input)
+{
+  std::error_code ignored;  // what cannot be created cannot be written to either
+  std::filesystem::create_directories(folder, ignored);
+  const std::string path =
+      (std::filesystem::path(folder) / (input.title + kExtension + ".gz")).string();
+  if (std::filesystem::exists(path)) throw PairsFileError(path + ": exists already");
+  PairsHeader header = input.header;
+  header.pairs = static_cast<int>(input.pairs.size());  // fewer than a file promised
+  PairsWriter writer(path, header);
+  for (const ScanPair& pair : input.pairs) writer.write(pair);
+  writer.close();
+}
+}  // namespace psmks
