@@ -49,7 +49,6 @@ class LineInformation
   }
 
   void add(const MeasuredRay& ray) { addMoments(moments(ray)); }
-  void remove(const MeasuredRay& ray) { removeMoments(moments(ray)); }
 
   void addMoments(const Moments& ray)
   {

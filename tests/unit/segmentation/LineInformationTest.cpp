@@ -123,9 +123,9 @@ TEST(LineInformation, ARemovedRayWasNeverThere)
   SCOPED_TRACE(random.seedText());
   const std::vector<MeasuredRay> rays = noisyRays(random, 12);
   LineInformation sums = sumsOf(rays);
-  const MeasuredRay outlier = rayOf(0.5, 9);
-  sums.add(outlier);
-  sums.remove(outlier);
+  const LineInformation::Moments outlier = LineInformation::moments(rayOf(0.5, 9));
+  sums.addMoments(outlier);
+  sums.removeMoments(outlier);
   EXPECT_EQ(sums.rays(), 12);
   expectSame(solutionOf(sums), solutionOf(sumsOf(rays)));
 }
