@@ -7,8 +7,13 @@ namespace psmks
 {
 namespace
 {
-/** Centres may be off by more than the gate where the radii are, too. */
+/** Largest distance of two centres that are compared. It is wider than the gate, because an error
+ * of a radius moves the centre with it. Evidence: measured. */
 constexpr double kReach_m = 0.5;
+
+/** Difference of the radii beyond which two circles are not the same. Unit: standard deviations.
+ * Evidence: measured. */
+constexpr double kSameRadius = 3;
 
 /** Index of the circle whose centre is nearest to a place and within reach, or -1. */
 int nearestCircle(const std::vector<Circle>& circles, const Eigen::Vector2d& place_m)
@@ -31,7 +36,6 @@ int nearestCircle(const std::vector<Circle>& circles, const Eigen::Vector2d& pla
 bool compare(const Circle& ref, const Circle& cur, const Pose2& T_ref_cur, double gate_m,
              CirclePairTerm& pair)
 {
-  constexpr double kSameRadius = 3;  // standard deviations
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   turn.topLeftCorner<2, 2>() = T_ref_cur.rotation();
   const Eigen::Matrix3d sum = ref.covariance + turn * cur.covariance * turn.transpose();

@@ -9,14 +9,50 @@ namespace psmks
 {
 namespace
 {
+/** Fewest rays of a circle. Unit: rays. Definition: three fix a circle, the fourth tests it. */
 constexpr int kFewestRays = 4;
-constexpr double kLargestStep_m = 0.3;  //!< of range, between neighbouring rays of one thing
-constexpr double kShortWall_m = 0.8;    //!< a segment shorter than this may be part of an arc
-constexpr double kSmallest_m = 0.02, kLargest_m = 1.5;  //!< radius
-constexpr double kBent = 9;             //!< chi2 by which a bend must be better than none
-constexpr double kMisfit = 3;           //!< standard deviations of chi2 above its mean
-constexpr double kRadiusSigma_m = 0.1;  //!< a circle less known is not linear in its errors
 
+/** Largest difference of the ranges of neighbouring rays on one object. Evidence: measured. */
+constexpr double kLargestStep_m = 0.3;
+
+/** A segment shorter than this may be part of an arc. Evidence: measured. */
+constexpr double kShortWall_m = 0.8;
+
+/** Smallest radius. Evidence: measured. */
+constexpr double kSmallest_m = 0.02;
+
+/** Largest radius. Evidence: measured. */
+constexpr double kLargest_m = 1.5;
+
+/** Chi2 that a bend has to gain over a straight line. Unit: chi2. Definition: three standard
+ * deviations with 1 degree of freedom. */
+constexpr double kBent = 9;
+
+/** Chi2 of a circle may exceed its mean by so many standard deviations. Unit: standard deviations.
+ * Evidence: measured. */
+constexpr double kMisfit = 3;
+
+/** Largest standard deviation of a radius; a circle known worse is not linear in its errors.
+ * Evidence: measured. */
+constexpr double kRadiusSigma_m = 0.1;
+
+/** Most Gauss-Newton steps of a fit. Unit: steps. Evidence: measured. */
+constexpr int kSteps = 2;
+
+/** A fit has settled once a step gains less than this. Unit: chi2. Definition: chance moves chi2 by
+ * more than 1. */
+constexpr double kSettled = 0.1;
+
+/** Smallest squared cosine of incidence in the weight of a ray besides what its noise explains.
+ * Unit: squared cosine. Evidence: measured. */
+constexpr double kGrazing = 0.01;
+
+/** Share of the relative range variance in the smallest squared cosine of incidence. At grazing
+ * incidence the noise moves a point along the circle and off its bend. Unit: share. Evidence:
+ * measured. */
+constexpr double kBendOfNoise = 0.75;
+
+/** A circle while it is fitted. */
 struct Fit
 {
   Eigen::Vector2d centre_m;
@@ -109,8 +145,6 @@ class CircleFinder
   void tryRun(int first, int last)
   {
     variance_m2_ = scan_.rangeVarianceOf_m2((first + last) / 2);
-    constexpr int kSteps = 2;
-    constexpr double kSettled = 0.1;  // of chi2, which is off by far more by chance
     Fit fit;
     if (!start(first, last, fit)) return;
     double gain = 2 * kSettled;
@@ -161,9 +195,7 @@ class CircleFinder
   void linearise(int first, int last, Fit& fit) const
   {
     const double R = fit.radius_m;
-    // At grazing incidence the noise moves a point along the circle and off its bend.
-    constexpr double kGrazing = 0.01;
-    const double least = kGrazing + 0.75 * variance_m2_ / (R * R);
+    const double least = kGrazing + kBendOfNoise * variance_m2_ / (R * R);
     fit.information.setZero();
     fit.gradient.setZero();
     fit.chi2 = 0;

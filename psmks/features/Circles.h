@@ -16,7 +16,8 @@ struct Circle
   int firstRay, lastRay;       //!< index on the grid
 };
 
-/** More are not looked for in one scan. */
+/** Most circles of one scan; no more are looked for. Unit: circles. Definition: capacity of bit
+ * sets. */
 constexpr std::size_t kMostCircles = 64;
 
 /** Finds the round things among the rays that belong to no segment.

@@ -8,11 +8,40 @@ namespace psmks
 {
 namespace
 {
-/** Some points seen from the surface's scanner; loops over fixed arrays, which compilers vectorise.
+/** Weight of a ray behind the surface, which may have been hidden from the other viewpoint. Unit:
+ * rays in front. Evidence: measured. */
+constexpr double kBehindWeight = 0.5;
+
+/** Weight of a ray in front of the surface on an object that may have moved there. Unit: rays in
+ * front. Evidence: measured. */
+constexpr double kMovedWeight = 0.5;
+
+/** Weight of a ray behind an object that may have moved away. Unit: rays in front. Evidence:
+ * measured.
  */
+constexpr double kUncoveredWeight = 0.25;
+
+/** Share of the rays that the other scan has to have seen before the score is reduced. Unit: share.
+ * Evidence: measured. */
+constexpr double kFullyVisible = 0.4;
+
+/** Smallest tolerance within which a point is on a surface. Evidence: measured. */
+constexpr double kSmallestTolerance_m = 0.04;
+
+/** Tolerance besides the range noise, for what surfaces are not straight. Evidence: measured. */
+constexpr double kToleranceMargin_m = 0.01;
+
+/** Standard deviations of a range that the tolerance includes. Unit: standard deviations.
+ * Definition: 99.7 % of normal errors. */
+constexpr double kToleranceSigmas = 3;
+
+/** A block of points as seen from the scanner of the surface. Its loops run over arrays of fixed
+ * size, which compilers vectorise without special flags. */
 class PointBlock
 {
  public:
+  /** Points of a block. Unit: points. Definition: capacity of the arrays; a multiple of any vector
+   * register. */
   static constexpr std::size_t kCapacity = 32;
 
   /** Takes every `stride`-th point from `first` on, as many as fit.
@@ -98,8 +127,8 @@ RayCounts countRays(const RayPoints& points, const PolarLookup& surface,
 
 double freeSpaceScore(const RayCounts& n)
 {
-  constexpr double kFullyVisible = 0.4;
-  const double decided = n.on + n.front + 0.5 * (n.behind + n.moved) + 0.25 * n.uncovered;
+  const double decided = n.on + n.front + (kBehindWeight * n.behind + kMovedWeight * n.moved) +
+                         kUncoveredWeight * n.uncovered;
   const double seen = n.on + n.front + n.behind + n.moved + n.uncovered;
   if (!(decided > 0)) return 0;
   const double visibleShare = seen / (seen + n.unknown);
@@ -108,7 +137,7 @@ double freeSpaceScore(const RayCounts& n)
 
 float surfaceTolerance_m(double rangeSigma_m)
 {
-  constexpr double kSmallest_m = 0.04, kMargin_m = 0.01;
-  return static_cast<float>(std::max(kSmallest_m, 3 * rangeSigma_m + kMargin_m));
+  return static_cast<float>(
+      std::max(kSmallestTolerance_m, kToleranceSigmas * rangeSigma_m + kToleranceMargin_m));
 }
 }  // namespace psmks

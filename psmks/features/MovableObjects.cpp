@@ -7,8 +7,11 @@ namespace psmks
 {
 namespace
 {
-constexpr double kJump_m = 0.3;    //!< depth between an object and what stands behind it
-constexpr double kWidest_m = 0.8;  //!< of a movable object
+/** Depth between a movable object and what stands behind it, at least. Evidence: measured. */
+constexpr double kJump_m = 0.3;
+
+/** Width of a movable object, at most: a person with a bag. Evidence: measured. */
+constexpr double kWidest_m = 0.8;
 
 /** Whether the ray beyond an object's end sees clearly farther; no return counts as far. */
 bool dropsBehind(const SegmentedScan& scan, int end, int beyond)

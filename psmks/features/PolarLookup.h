@@ -63,8 +63,10 @@ class PolarLookup
   static Side roundSide(const SegmentedScan& scan, std::size_t ray);
   void flagCells(const std::vector<std::uint8_t>& valid, const std::vector<std::uint8_t>& movable);
 
+  /** Half a circle. Unit: rad. Definition: pi as a float. */
   static constexpr float kPiF = 3.14159265359f;
 
+  /** Flags of a cell, combined by bitwise or. Unit: bit. Definition: distinct bits. */
   static constexpr std::uint8_t kKnown = 1, kMovable = 2;
 
   std::vector<Side> sides_;          //!< one per ray; on a closed grid the first again at the end

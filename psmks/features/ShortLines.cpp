@@ -8,10 +8,19 @@ namespace psmks
 {
 namespace
 {
+/** Fewest rays of a short line. Unit: rays. Definition: two fix a line, the third tests it;
+ * mayBegin() looks at three. */
 constexpr int kFewestRays = 3;
-constexpr double kShortest_m = 0.25;  //!< shorter, it may be round
-constexpr double kGate = 3;           //!< standard deviations
-constexpr double kSteepest = 0.2;     //!< smallest cosine of incidence
+
+/** Shortest line; what is shorter may be round. Evidence: measured. */
+constexpr double kShortest_m = 0.25;
+
+/** Standard deviations within which a ray continues a line. Unit: standard deviations. Evidence:
+ * measured. */
+constexpr double kGate = 3;
+
+/** Smallest cosine of incidence of the first and the last ray. Unit: cosine. Evidence: measured. */
+constexpr double kSteepest = 0.2;
 
 class ShortLineFinder
 {

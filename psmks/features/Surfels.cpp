@@ -8,17 +8,30 @@ namespace psmks
 {
 namespace
 {
-constexpr double kLongest_m = 0.25;      //!< of a patch
-constexpr double kLargestStep_m = 0.12;  //!< between neighbouring points of one object
-constexpr int kFewestRays = 3;
-constexpr double kShape_m = 0.01;  //!< what a patch may deviate from its line
-constexpr double kSteepest = 0.3;  //!< smallest cosine of incidence
+/** Longest surfel. Evidence: measured. */
+constexpr double kLongest_m = 0.25;
 
-class PatchFinder
+/** Largest distance of neighbouring points on one object. Evidence: measured. */
+constexpr double kLargestStep_m = 0.12;
+
+/** Fewest rays of a surfel. Unit: rays. Definition: two fix a line, the third tells its noise. */
+constexpr int kFewestRays = 3;
+
+/** Standard deviation by which the true surface is off the line of a surfel. Evidence: measured. */
+constexpr double kShape_m = 0.01;
+
+/** Smallest cosine of incidence of the middle ray. Unit: cosine. Evidence: measured. */
+constexpr double kSteepest = 0.3;
+
+/** Largest standard deviation of the rays from the line of a surfel. Evidence: measured. */
+constexpr double kRoughest_m = 0.03;
+
+/** Finds the surfels of a scan. */
+class SurfelFinder
 {
  public:
-  PatchFinder(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
-              std::vector<int>& lineOfRay)
+  SurfelFinder(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
+               std::vector<int>& lineOfRay)
       : scan_(scan), lines_(lines), lineOfRay_(lineOfRay)
   {
   }
@@ -64,7 +77,6 @@ class PatchFinder
 
   void keep(const LineInformation& sums, int first, int last)
   {
-    constexpr double kRoughest_m = 0.03;
     LineInformation::Solution s{};
     if (!sums.solve(s)) return;
     const double variance_m2 =
@@ -88,6 +100,6 @@ class PatchFinder
 void appendSurfels(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
                    std::vector<int>& lineOfRay)
 {
-  PatchFinder(scan, lines, lineOfRay).run();
+  SurfelFinder(scan, lines, lineOfRay).run();
 }
 }  // namespace psmks

@@ -41,7 +41,7 @@ void PolarLineFilter::update(const MeasuredRay& ray)
   const double innovation_m = ray.range_m - l.range_m;
   r0_m_ += K(0) * innovation_m;
   phi0_rad_ += K(1) * innovation_m;
-  // Joseph form: stays symmetric and positive
+  // The Joseph form of the update keeps the covariance symmetric and positive.
   const Eigen::Matrix2d IKH = Eigen::Matrix2d::Identity() - K * l.H;
   P_ = IKH * P_ * IKH.transpose() + rangeVariance_m2 * K * K.transpose();
 }

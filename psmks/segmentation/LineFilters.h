@@ -6,11 +6,12 @@
 
 namespace psmks
 {
-/** Kalman filter over consecutive rays, exactly linear: the state u = n / r0 measured by 1/r
- *  (LineInformation). No start guess, no linearisation.
+/** Kalman filter of a line over consecutive rays. Its state is u = n / r0 and its measurement the
+ * inverse range, which is exactly linear in u: equation (1) of docs/algorithm.md. It needs neither
+ * a start value nor a linearisation.
  *
- * Differs from the paper: its filter is the extended one below, which is inconsistent when started
- * from a few rays (docs/algorithm.md). */
+ * Differs from the paper: the paper's filter is PolarLineFilter, whose covariance comes out too
+ * small when it is started from a few rays (docs/algorithm.md, segmentation). */
 class LinearLineFilter
 {
  public:
@@ -19,8 +20,9 @@ class LinearLineFilter
   {
   }
 
-  /** Starts from the sums of a few rays, weighed as RaySoA does; false where they fix no line.
-   */
+  /** Starts the filter from a few rays.
+   *  @param seed the sums of their moments, weighted as in RaySoA::moments
+   *  @return false where they do not fix a line */
   bool start(const LineInformation& seed)
   {
     if (!seed.solve(solution_)) return false;
@@ -28,28 +30,29 @@ class LinearLineFilter
     return true;
   }
 
-  /** Whether the ray's innovation is within `gate` standard deviations. */
+  /** Whether the innovation of a ray is within `gate` of its standard deviations. */
   bool accepts(const MeasuredRay& ray, double gate) const
   {
     const double expected = solution_.inverseRange(ray.cosine, ray.sine);
     const double expected2 = expected * expected;
-    // var(1/r) = sigma^2 / r^4 of the ray, plus what the line itself is uncertain by
+    // The variance sigma^2 / r^4 of the ray's inverse range, plus that of the line's prediction.
     const double variance = variance_m2_ * (expected2 * expected2 +
                                             solution_.inverseRangeVariance(ray.cosine, ray.sine));
     const double innovation = ray.inverseRange_1_m - expected;
     return expected > 0 && innovation * innovation < gate * gate * variance;
   }
 
-  /** A line of many rays hardly changes by one more: it may take a block of rays at once, all held
-   * against the line as it was. The gate stays right, for the variance is that of the older,
-   * slightly less certain line. */
+  /** Whether a line has so many rays that one more hardly changes it. It may then take a block of
+   * rays at once, each tested against the line without the others of the block. The gate stays
+   * correct, because the variance in it is that of the same, slightly less certain line. */
   static bool takesBlocks(const LineInformation& sums)
   {
+    /** Fewest rays of a line that takes whole blocks. Unit: rays. Evidence: measured. */
     constexpr int kManyRays = 8;
     return sums.rays() >= kManyRays;
   }
 
-  /** Whether every ray of a block is accepted. */
+  /** Whether the filter accepts every ray of the block that begins at a position. */
   bool acceptsBlock(const RaySoA& rays, int position, double gate) const
   {
     using Block = RaySoA::Block;
@@ -64,7 +67,9 @@ class LinearLineFilter
     return spare.min(expected).minCoeff() > 0;
   }
 
-  /** @param sums of all rays up to now, with the new ones */
+  /** Updates the line. The sums hold all that the filter needs; the single ray is an argument
+   * because the other filter takes it.
+   *  @param sums of all rays of the line, the new ones included */
   void update(const MeasuredRay&, const LineInformation& sums) { update(sums); }
   void update(const LineInformation& sums)
   {
@@ -72,8 +77,10 @@ class LinearLineFilter
   }
 
  private:
-  /** Where the noise grows, a ray's var(1/r) is larger by growth sigma^2 / r^2 with 1/r = u.e: a
-   * quadratic form of its direction e, like the variance of the line, and counted with that. */
+  /** Adds to the variance of the prediction what growing noise adds to that of a ray. Where the
+   * noise grows with the range, the variance of a ray's inverse range is larger by growth sigma^2 /
+   * r^2 with 1/r = u.e. That is a quadratic form of the ray's direction e, as the variance of the
+   * prediction is, so that both are kept in one matrix. */
   void widen()
   {
     if (growth_1_m2_ == 0) return;
@@ -87,25 +94,34 @@ class LinearLineFilter
   LineInformation::Solution solution_{};
 };
 
-/** The paper's extended Kalman filter on (r0, phi0) with the measurement r = r0 / cos(b - phi0). */
+/** The paper's extended Kalman filter on (r0, phi0) with the measurement r = r0 / cos(b - phi0)
+ * (paper, section 2.1). */
 class PolarLineFilter
 {
  public:
   explicit PolarLineFilter(const RangeNoise& noise) : noise_(noise) {}
 
+  /** Starts the filter at the line that a few rays fix, with its covariance.
+   *  @return false where they do not fix a line */
   bool start(const LineInformation& seed);
+
+  /** Whether the innovation of a ray is within `gate` of its standard deviations; false where the
+   * ray does not meet the line. */
   bool accepts(const MeasuredRay& ray, double gate) const;
+
   void update(const MeasuredRay& ray);
+
+  /** The same update in the form that LineGrowing calls for either filter. */
   void update(const MeasuredRay& ray, const LineInformation&) { update(ray); }
 
-  /** The state with its covariance. */
+  /** The state and its covariance as a line. */
   Line line() const;
 
  private:
   struct Linearisation
   {
-    double range_m;        //!< expected; 0 where the ray does not meet the line
-    Eigen::RowVector2d H;  //!< d range / d (r0, phi0)
+    double range_m;        //!< of the line at the ray's bearing; 0 where the ray does not meet it
+    Eigen::RowVector2d H;  //!< derivative of that range by (r0, phi0)
   };
   Linearisation linearise(const MeasuredRay& ray) const;
 

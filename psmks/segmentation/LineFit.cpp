@@ -9,25 +9,27 @@ namespace psmks
 {
 namespace
 {
-/** Rays side by side: as many as leave all sums in registers. */
+/** How many rays are summed side by side. Unit: rays. Definition: width of the vectors in the code;
+ * with two of them all sums stay in registers. */
 constexpr int kLanes = 2;
 using Lanes = Eigen::Array<double, kLanes, 1>;
 
-/* Sums over the rays at the line (r0, phi0), with c = cos(b - phi0), t = tan(b - phi0), residual
- * e = r - r0 / c, and the rows
+/** Sums over the rays from which the normal equations of a line (r0, phi0) are made.
+ *
+ * With c = cos(b - phi0), t = tan(b - phi0) and the residual e = r - r0 / c, the derivatives are
  *     d r / d r0   =  1 / c
  *     d r / d phi0 = -r0 t / c
- *     d r / d k    =  r0^2 t^2 / c    (a bulge k along^2 of the wall, along = r0 t)
- * all of which are 1/c times a power of t: their products are the moments sum t^k / c^2. */
+ *     d r / d k    =  r0^2 t^2 / c    (a bulge of the wall by k along^2, where along = r0 t)
+ * Each is 1/c times a power of t, so that the products of any two are moments sum t^k / c^2. */
 struct NormalSums
 {
-  std::array<double, 5> tt{};  // sum of t^k / c^2
-  std::array<double, 3> te{};  // sum of e t^k / c
-  double ee = 0;
-  double lag = 0;  // sum of e of neighbouring rays of the line
+  std::array<double, 5> tt{};  //!< sums of t^k / c^2 for k = 0 to 4
+  std::array<double, 3> te{};  //!< sums of e t^k / c for k = 0 to 2
+  double ee = 0;               //!< sum of e^2
+  double lag = 0;              //!< sum of the products of the residuals of neighbouring rays
 };
 
-/** The same lane by lane. */
+/** NormalSums while they are summed, one sum per lane. */
 struct LaneSums
 {
   std::array<Lanes, 5> tt;
@@ -41,7 +43,11 @@ struct LaneSums
     ee = Lanes::Zero();
   }
 
-  /** Rays that do not count have a and e of 0. */
+  /** Adds the rays of all lanes.
+   *  @param a 1 / c times the root of the weight; 0 for a ray that does not belong to the line
+   *  @param t tan(b - phi0)
+   *  @param e residual times the root of the weight; 0 for a ray that does not belong to the line
+   */
   void add(const Lanes& a, const Lanes& t, const Lanes& e)
   {
     Lanes product = a * a;
@@ -77,6 +83,7 @@ Eigen::Map<const Lanes> lanes(const std::vector<double>& column, int position)
   return Eigen::Map<const Lanes>(column.data() + position);
 }
 
+/** 1 for the positions that belong to the line, else 0. */
 Lanes belongs(const RaySoA& rays, int position, const RayRange& range)
 {
   Lanes result;
@@ -88,8 +95,10 @@ Lanes belongs(const RaySoA& rays, int position, const RayRange& range)
   return result;
 }
 
-/** @tparam kGrows whether the noise does: rows and residuals are then divided by its growth where
- *  the line is, not where the ray is measured, for that would prefer rays that are too short */
+/** Sums the rays of a range at a line.
+ *  @tparam kGrows whether the noise grows with the range. Rows and residuals are then divided by
+ * the growth at the range of the line. Dividing by the growth at the measured range would prefer
+ * rays that were measured too short. */
 template <bool kGrows>
 NormalSums accumulate(const RaySoA& rays, const RayRange& range, const LineStart& line)
 {
@@ -100,7 +109,7 @@ NormalSums accumulate(const RaySoA& rays, const RayRange& range, const LineStart
   {
     const Lanes cosine = lanes(rays.cosine, p), sine = lanes(rays.sine, p);
     const Lanes counts = belongs(rays, p, range);
-    // A ray that does not count may have any direction: 1 in place of its cosine.
+    // A ray that does not belong to the line may have any direction; 1 stands for its cosine.
     const Lanes inverse = 1 / ((cosine * c0 + sine * s0) * counts + (1 - counts));
     const Lanes t = (sine * c0 - cosine * s0) * inverse;
     const Lanes expected_m = line.r0_m * inverse;
@@ -137,7 +146,7 @@ LineFit fitLine(const RaySoA& rays, const RayRange& range, const LineStart& star
   fit.chi2 = std::max(0.0, n.ee - ae * dr0 - be * dphi0) / variance_m2;
   fit.whiteness = n.lag / (variance_m2 * std::sqrt(range.rays));
 
-  // Schur complement of the quadratic term on (r0, phi0)
+  // The curvature after (r0, phi0) have explained what they can: its Schur complement.
   const double ag = r2 * n.tt[2], bg = -r0 * r2 * n.tt[3], gg = r2 * r2 * n.tt[4];
   const double ga = (bb * ag - ab * bg) / determinant;
   const double gb = (aa * bg - ab * ag) / determinant;

@@ -10,14 +10,24 @@ namespace psmks
 {
 namespace
 {
-/** Missing rays in a row over which a line is continued. */
+/** Longest run of invalid rays across which a line is continued. Unit: rays. Evidence: measured. */
 constexpr int kLongestHole = 3;
 
-/** Rays between two lines that still touch. */
+/** Most rays between two lines that still touch, so that a corner is sought between them. Unit:
+ * rays. Evidence: measured. */
 constexpr int kLongestGap = 3;
 
-/** A second outlier within this many rays of the first ends a line. */
+/** A second outlier within so many accepted rays after the first ends a line before the first.
+ * Unit: rays. Evidence: measured. */
 constexpr int kOutlierMemory = 2;
+
+/** A corner is sought until the sum of both chi2 has not fallen for so many rays. Unit: rays.
+ * Evidence: measured. */
+constexpr int kPatience = 3;
+
+/** What a line may gain in chi2 by the best of n cuts, as a factor of ln(n). Unit: chi2.
+ * Definition: the largest of n samples of chi2 with 2 degrees of freedom grows as 2 ln(n). */
+constexpr double kChi2OfBestCut = 2;
 }  // namespace
 
 LineGrowing::LineGrowing(const SegmentationOptions& options, RaySoA& rays,
@@ -148,7 +158,9 @@ bool LineGrowing::takeBlock(Filter& filter, LineRun& run, int index, int from, i
 {
   if constexpr (std::is_same_v<Filter, LinearLineFilter>)
   {
+    /** Rays of a block besides the first. Unit: rays. Definition: one less than a block. */
     constexpr int kOthers = RaySoA::kBlock - 1;
+
     if (!filter.takesBlocks(run.sums) || (limit - from) * step < kOthers) return false;
     const int first = std::min(from, from + step * kOthers);
     if (!filter.acceptsBlock(rays_, first, options_.innovationGate)) return false;
@@ -211,7 +223,6 @@ void LineGrowing::contest(int leftIndex, int rightIndex)
  *  @param from the mark of the rays that are given away */
 void LineGrowing::moveSplit(Split split, int step, int limit, int from, Split& best) const
 {
-  constexpr int kPatience = 3;
   LineInformation& giving = step > 0 ? split.right : split.left;
   LineInformation& taking = step > 0 ? split.left : split.right;
   for (int sinceBest = 0; split.at != limit && sinceBest < kPatience;)
@@ -253,7 +264,8 @@ bool LineGrowing::collinear(const LineRun& left, const LineRun& right) const
 bool LineGrowing::cut(const LineRun& run, int runMark, LineRun& left, LineRun& right) const
 {
   LineInformation l, r = run.sums;
-  double best = chi2(run.sums) - options_.mergeChi2 - 2 * std::log(std::max(1, run.sums.rays()));
+  double best =
+      chi2(run.sums) - options_.mergeChi2 - kChi2OfBestCut * std::log(std::max(1, run.sums.rays()));
   bool found = false;
   for (int p = run.first; p < run.last && r.rays() > options_.seedRays; ++p)
   {

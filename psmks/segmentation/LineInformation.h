@@ -133,7 +133,9 @@ class LineInformation
   }
 
  private:
-  // What two distinct rays leave, (w1 w2 sin^2), against rounding of w1 w2.
+  /** Smallest determinant of M that fixes a line, as a share of the product of its diagonal. Unit:
+   * share. Definition: two rays an angle d apart leave sin(d)^2; below 1e-12 it is the rounding of
+   * doubles. */
   static constexpr double kSmallestDeterminant = 1e-12;
 
   Moments sums_ = Moments::Zero();

@@ -10,10 +10,31 @@ namespace psmks
 {
 namespace
 {
-constexpr double kLargest_m = 0.08;          // beyond, it is clutter and not noise
-constexpr double kLargestPerMetre_m = 0.03;  // the same
+/** Largest standard deviation of a short range that is believed; what looks noisier is clutter.
+ * Evidence: measured. */
+constexpr double kLargest_m = 0.08;
 
-/** Between near and far; 0 where there are no ranges. */
+/** Largest growth of the standard deviation per metre of range that is believed; what seems to grow
+ * faster is clutter. Evidence: measured. */
+constexpr double kLargestPerMetre_m = 0.03;
+
+/** The far half of the rays has to be so many times as noisy as the near half before noise is said
+ * to grow with the range. Unit: ratio. Evidence: measured. */
+constexpr double kClearGrowth = 2;
+
+/** Where noise grows, the standard deviation of a short range is at least so many times the stated
+ * one: a scan that is noisy far away is not quiet near by. Unit: ratio. Evidence: measured. */
+constexpr double kLeastRise = 1.3;
+
+/** Growth is looked for where the rays show so many times the stated noise. Unit: ratio. Evidence:
+ * measured. */
+constexpr double kSomewhatMore = 1.2;
+
+/** The stated noise is given up where the rays show so many times as much. Unit: ratio. Evidence:
+ * measured. */
+constexpr double kClearlyMore = 1.6;
+
+/** Mean valid range, which separates near rays from far ones; 0 where there are no ranges. */
 double meanRange_m(const RaySoA& rays)
 {
   double sum_m = 0;
@@ -26,7 +47,7 @@ double meanRange_m(const RaySoA& rays)
   return returns > 0 ? sum_m / returns : 0;
 }
 
-/** Of the ranges of a span; 0 where there are none. */
+/** Median of the valid ranges within a span; 0 where there are none. */
 double medianRange_m(const RaySoA& rays, const RangeSpan& span, std::vector<double>& scratch)
 {
   scratch.clear();
@@ -40,14 +61,14 @@ double medianRange_m(const RaySoA& rays, const RangeSpan& span, std::vector<doub
   return *middle;
 }
 
-/** The variances of the near and of the far rays give var(r) = sigma^2 + slope^2 r^2.
- *  @return none where the far rays are not clearly noisier than the near ones, and than `least_m`
- */
+/** Noise that grows with the range, from the variances of the near and of the far rays: the line
+ * sigma(r)^2 = sigma^2 + slope^2 r^2 through both at their median ranges.
+ *  @param least_m the far rays have to be noisier than this
+ *  @return nothing where the far rays are not noisier than that and clearly noisier than the near
+ * ones */
 std::optional<RangeNoise> grownNoise(const RaySoA& rays, double least_m,
                                      std::vector<double>& scratch)
 {
-  constexpr double kClearGrowth = 2;
-  constexpr double kLeastRise = 1.3;  // a scan that is noisy far away is not quiet near by
   RangeSpan near, far;
   near.to_m = far.from_m = meanRange_m(rays);
   const double far_m = estimateRangeSigma_m(rays, scratch, far);
@@ -67,7 +88,6 @@ std::optional<RangeNoise> grownNoise(const RaySoA& rays, double least_m,
 
 RangeNoise shownNoise(const RaySoA& rays, std::vector<double>& scratch)
 {
-  constexpr double kSomewhatMore = 1.2, kClearlyMore = 1.6;
   const RangeNoise& stated = rays.noise;
   const double clear_m = kClearlyMore * stated.sigma_m;
   if (!mayShowNoiseAbove(rays, clear_m)) return stated;

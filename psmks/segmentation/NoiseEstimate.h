@@ -7,13 +7,16 @@
 
 namespace psmks
 {
-/** The noise that rays are said to have, raised to what they show where that is clearly more.
+/** Range noise of a scan: the stated noise, raised to what the rays show where that is clearly more
+ * (docs/algorithm.md, segmentation).
  *
- * Where nothing is said of growth and the far half of the rays is clearly noisier than the near
- * one, the noise that is found grows with the range.
+ * If the stated noise does not grow with the range, and the far half of the rays is clearly noisier
+ * than the near half, the result grows with the range.
  *
- * Never lowered: real ranges are wrong by more than their scatter, alike for all rays of a wall,
- * and lines that are held to be better than they are break at that.
- *  @param rays with the noise that they are said to have */
+ * The result is never below the stated noise. Real ranges have errors that all rays of a wall share
+ * and that their scatter does not show; with too small a noise such a wall would break into several
+ * lines.
+ *  @param rays the columns of a scan; `rays.noise` is the stated noise
+ *  @param scratch storage for one number per ray */
 RangeNoise shownNoise(const RaySoA& rays, std::vector<double>& scratch);
 }  // namespace psmks

@@ -8,9 +8,15 @@ namespace psmks
 {
 namespace
 {
-/** No scanner measures beyond these; within them no power or inverse of a range overflows. */
-constexpr double kNearest_m = 1e-4, kFarthest_m = 1e6;
+/** Smallest range that is valid. Definition: below what any scanner measures, and large enough that
+ * its inverse to the fourth power does not overflow. */
+constexpr double kNearest_m = 1e-4;
 
+/** Range from which on none is valid. Definition: above what any scanner measures, and small enough
+ * that its fourth power does not overflow. */
+constexpr double kFarthest_m = 1e6;
+
+/** Range from which on a reading is no return. */
 double upperLimit_m(const Scan& scan, const PreprocessingOptions& options)
 {
   double limit_m = kFarthest_m;
@@ -19,6 +25,7 @@ double upperLimit_m(const Scan& scan, const PreprocessingOptions& options)
   return limit_m;
 }
 
+/** Makes the rays invalid that the scan flags as invalid. */
 void dropFlagged(const std::vector<std::uint8_t>& valid, SegmentedScan& result)
 {
   for (std::size_t i = 0; i < valid.size(); ++i)

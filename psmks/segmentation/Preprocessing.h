@@ -9,16 +9,22 @@
 
 namespace psmks
 {
-/** Copies grid, ranges and stamps into `result` and settles which rays are valid: finite, above
- *  min_range_m, below the maximum range and not flagged. Invalid rays get range 0. A scan whose
- * ranges do not fit its grid has no valid ray, and nothing below 0.1 mm or beyond 1000 km is a
- * range. Segments and noise are left empty. */
+/** Copies grid, ranges and stamps of a scan and decides which rays are valid.
+ *
+ * A ray is valid if its range is finite, above `minRange_m`, below both the scan's and the option's
+ * maximum range, between 0.1 mm and 1000 km, and not flagged invalid. A scan whose number of ranges
+ * is not that of its grid has no valid ray.
+ *  @param[out] result invalid rays get range 0; segments and noise are left empty */
 void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedScan& result);
 
-/** Median filter over the valid rays of a window (paper, section 1, step 1 of the original method).
+/** Replaces each valid range by the median of the valid ranges in a window of rays around it
+ * (paper, section 1, step 1 of the original method).
  *
- * Off by default. Differs from the paper: where lines are fitted, the fit itself averages the
- * noise; a median before it moves corners and makes neighbouring errors dependent, so that the
- * covariance of a line comes out too small. */
+ * Differs from the paper: the filter is off by default. Where lines are fitted, the fit itself
+ * averages the noise. A median before the fit moves corners and makes neighbouring errors
+ * dependent, so that the covariance of a line comes out too small.
+ *  @param window number of rays; 0 or 1 leaves the scan as it is
+ *  @param scratch storage for the ranges and one window
+ *  @param[in,out] scan a cleaned scan */
 void medianFilter(int window, std::vector<double>& scratch, SegmentedScan& scan);
 }  // namespace psmks

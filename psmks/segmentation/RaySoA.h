@@ -16,7 +16,10 @@ namespace psmks
  * places that hold no valid ray, so that loops may go in whole blocks. */
 struct RaySoA
 {
+  /** Rays that a filter takes at once. Unit: rays. Definition: width of the vectors in the code,
+   * and what one vector register of 256 bits holds. */
   static constexpr int kBlock = 4;
+
   using Block = Eigen::Array<double, kBlock, 1>;
   using BlockView = Eigen::Map<const Block>;
 

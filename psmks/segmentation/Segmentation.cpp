@@ -15,16 +15,31 @@ namespace psmks
 {
 namespace
 {
+/** Rays from which the extended filter is started. Unit: rays. Evidence: started from 4 rays the
+ * NEES of its lines is above 1,000, from 9 it is 2.3; the paper's authors start from 9. */
 constexpr int kEkfStartRays = 9;
 
-/** The scan's own or the option's. */
+/** Distance of a line from the scanner below which it is no segment, in standard deviations of a
+ * range. Unit: standard deviations. Evidence: measured. */
+constexpr double kLeastDistance = 5;
+
+/** A covariance is widened where chi2 per degree of freedom exceeds 1 by so many of its standard
+ * deviations. Unit: standard deviations. Evidence: measured. */
+constexpr double kSignificance = 3;
+
+/** A line is examined for a cut where the correlation of its neighbouring residuals exceeds so many
+ * standard deviations. Unit: standard deviations. Evidence: measured. */
+constexpr double kNotWhite = 2.5;
+
+/** Range noise from the header of the scan, else from the options. */
 RangeNoise statedNoise(const Scan& scan, const SegmentationOptions& options)
 {
   return {scan.rangeSigma_m > 0 ? scan.rangeSigma_m : options.rangeSigma_m,
           options.rangeSigmaPerMetre_m};
 }
 
-/** Counts rounding as noise, and takes off what it adds to the ranges. */
+/** Adds the variance of rounding to the noise, and subtracts from the ranges what rounding has
+ * added to them on average. */
 void allowForRounding(SegmentedScan& scan, RaySoA& rays)
 {
   const RangeRounding rounding = findRounding(rays);
@@ -35,9 +50,11 @@ void allowForRounding(SegmentedScan& scan, RaySoA& rays)
   rays.load(scan);
 }
 
-/** The line of the marked rays by the paper's filter, or `otherwise` where it does not start. It
- * linearises at its estimate: it starts from as many rays as the paper's authors take for a seed,
- * or from all of a shorter line. */
+/** The line of the marked rays by the paper's extended filter.
+ *
+ * The filter linearises at its estimate, so that its start has to be good: kEkfStartRays rays, or
+ * all rays of a shorter line.
+ *  @return `otherwise` where the rays do not fix a line */
 Line extendedFilterLine(const RaySoA& rays, const RayRange& range, const Line& otherwise)
 {
   const int startRays = std::min(kEkfStartRays, range.rays);
@@ -58,7 +75,8 @@ Line extendedFilterLine(const RaySoA& rays, const RayRange& range, const Line& o
   return started ? filter.line() : otherwise;
 }
 
-/** The line of a run's rays by the filter that the options choose. */
+/** Fits a line to the rays of a run, and replaces it by the extended filter's line if the options
+ * choose that filter. */
 LineFit fitRun(const RaySoA& rays, const LineRun& run, int mark, const SegmentationOptions& options)
 {
   LineInformation::Solution s{};
@@ -82,37 +100,43 @@ double middleSigma_m(const Segment& segment, const SegmentedScan& scan)
   return scan.rangeNoise.sigmaAt_m(0.5 * (first_m + last_m));
 }
 
-/** A bulge that is both significant and larger than the noise: long real walls are never quite
- *  straight, and a sagitta within the noise does no harm. */
+/** Whether a line bulges significantly and by more than the noise. Long real walls are never quite
+ * straight, and a sagitta below the standard deviation of a range does no harm.
+ *  @param sigma_m standard deviation of a range
+ *  @param gate standard deviations of the curvature that are significant */
 bool isCurved(const LineFit& fit, double length_m, double sigma_m, double gate)
 {
+  // A curve k along^2 over a chord of this length bulges by k (length / 2)^2.
   const double sagitta_m = std::abs(fit.curvature_1_m) * length_m * length_m / 4;
   return std::abs(fit.curvature_1_m) > gate * fit.curvatureSigma_1_m && sagitta_m > sigma_m;
 }
 
-/** Variance of the distance of the line at its best known point. */
+/** Variance of the distance of a line at its best known point, the anchor of AnchoredLine. */
 double offsetVariance_m2(const Line& line)
 {
   const auto& P = line.covariance;
   return P(1, 1) > 0 ? P(0, 0) - P(0, 1) * P(0, 1) / P(1, 1) : P(0, 0);
 }
 
+/** Whether a fit is good enough for a segment: enough rays, not too near, not too noisy, well known
+ * and straight. */
 bool isSegment(const LineFit& fit, const Segment& segment, const SegmentedScan& scan,
                const SegmentationOptions& options)
 {
   if (fit.rays < options.minRays) return false;
   const Line& line = segment.line;
-  if (!line.covariance.allFinite() || !(line.r0_m > 5 * scan.rangeNoise.sigma_m)) return false;
+  if (!line.covariance.allFinite() || !(line.r0_m > kLeastDistance * scan.rangeNoise.sigma_m))
+    return false;
   if (fit.chi2 > options.maxReducedChi2 * (fit.rays - 2)) return false;
   if (offsetVariance_m2(line) > options.maxOffsetSigma_m * options.maxOffsetSigma_m) return false;
   if (line.covariance(1, 1) > options.maxAngleSigma_rad * options.maxAngleSigma_rad) return false;
   return !isCurved(fit, segment.length_m(), middleSigma_m(segment, scan), options.curvatureGate);
 }
 
-/** Widens a covariance where the residuals are significantly larger than the noise. */
+/** Factor of a line's covariance: chi2 per degree of freedom where the residuals are significantly
+ * larger than the noise, else 1. */
 double covarianceScale(const LineFit& fit)
 {
-  constexpr double kSignificance = 3;
   const double dof = std::max(1, fit.rays - 2);
   const double reduced = fit.chi2 / dof;
   return reduced > 1 + kSignificance * std::sqrt(2 / dof) ? reduced : 1;
@@ -139,7 +163,7 @@ Segment makeSegment(const LineFit& fit, int firstRay, int lastRay, const Segment
   return segment;
 }
 
-/** Turns runs into segments. */
+/** Turns the runs of the line growing into segments of the scan. */
 class Finish
 {
  public:
@@ -156,10 +180,11 @@ class Finish
   }
 
  private:
-  /** @param mark of the run's rays: the index of the run it came from */
+  /** Makes a run into a segment, or into several, or into none: a run that is two lines is cut,
+   * rays that graze the line are dropped, and what is no segment stays single rays.
+   *  @param mark of the run's rays: the index of the run it came from */
   void finish(const LineRun& run, int mark)
   {
-    constexpr double kNotWhite = 2.5;
     const LineFit fit = fitRun(rays_, run, mark, options_);
     LineRun left, right;
     if (fit.whiteness > kNotWhite && lines_.cut(run, mark, left, right))
@@ -175,12 +200,13 @@ class Finish
     }
     const Segment segment = makeSegment(fit, rays_.ray(run.first), rays_.ray(run.last), scan_);
     if (!isSegment(fit, segment, scan_, options_)) return;
-    tellRays(run, mark, static_cast<int>(scan_.segments.size()));
+    setSegmentOfRays(run, mark, static_cast<int>(scan_.segments.size()));
     scan_.segments.push_back(segment);
   }
 
-  /** Takes rays that graze the line off both ends: bearing errors dominate there. False where none
-   *  does, or where too few would be left. */
+  /** Drops rays that graze the line from both ends of a run, because the errors of their bearings
+   * dominate there. At least the fewest rays of a segment are left.
+   *  @return whether a ray was dropped */
   bool trimGrazing(const Eigen::Vector2d& normal, int mark, LineRun& run)
   {
     const auto grazes = [&](int position)
@@ -194,7 +220,7 @@ class Finish
     return true;
   }
 
-  /** Rays that no longer belong to a run. */
+  /** Takes the rays between two positions (both included) that carry the mark out of a run. */
   void drop(int first, int last, int mark, LineRun& run)
   {
     for (int p = first; p <= last; ++p)
@@ -206,7 +232,8 @@ class Finish
     }
   }
 
-  void tellRays(const LineRun& run, int mark, int segment)
+  /** Enters the index of a new segment for its rays in the scan. */
+  void setSegmentOfRays(const LineRun& run, int mark, int segment)
   {
     const int *marks = rays_.mark.data(), rays = rays_.rays;
     int* segmentOfRay = scan_.segmentOfRay.data();

@@ -15,6 +15,8 @@ namespace psmks
  * Segments stand in the order of their first rays. */
 struct SegmentedScan
 {
+  /** Stands in segmentOfRay for a ray without a segment. Unit: index. Definition: no index is
+   * negative. */
   static constexpr int kNoSegment = -1;
 
   BeamGrid grid;
