@@ -46,7 +46,18 @@ std::string cppBlock(const std::string& markdown)
   return markdown.substr(begin + opening.size(), end - begin - opening.size());
 }
 
-std::string withoutFirstLine(const std::string& text) { return text.substr(text.find('\n') + 1); }
+/** An example without its licence and introduction. */
+std::string exampleCode(const std::string& name)
+{
+  const std::string text = source("examples/" + name + ".cpp");
+  return text.substr(std::min(text.size(), text.find("#include")));
+}
+
+/** The times of matches, which differ from run to run, replaced by a sign. */
+std::string withoutTimes(const std::string& text)
+{
+  return std::regex_replace(text, std::regex("[0-9.]+ ms"), "# ms");
+}
 
 /** The first thing in a file that the pattern's group matches. */
 std::string found(const std::string& path, const std::string& pattern)
@@ -135,18 +146,28 @@ TEST(SensorFiles, ThatAreMissingAreAnErrorOfUse)
   EXPECT_TRUE(test::says(run.errors, {"none.ini"}));
 }
 
-TEST(Readme, ShowsTheExample)
+TEST(Readme, ShowsAnExample)
 {
-  EXPECT_EQ(cppBlock(source("README.md")),
-            withoutFirstLine(source("examples/match_two_scans.cpp")));
+  EXPECT_EQ(cppBlock(source("README.md")), exampleCode("02_mrpt_observations"));
 }
 
 TEST(Readme, ShowsWhatTheExamplePrints)
 {
-  const ProgramRun run = runProgram(quoted(PSMKS_EXAMPLE));
+  const ProgramRun run = runProgram(quoted(PSMKS_EXAMPLES "/02_mrpt_observations"));
   EXPECT_EQ(run.exitCode, 0) << run.errors;
   const std::string pose = run.output.substr(0, run.output.find(';'));
   EXPECT_TRUE(test::says(source("README.md"), {pose}));
+}
+
+TEST(Examples, AreShownWithWhatTheyPrint)
+{
+  const test::ScratchFolder folder;
+  const std::string written = folder.path("README.md");
+  const ProgramRun run = runProgram(quoted(kSource + "/scripts/update-examples") + " " +
+                                    quoted(PSMKS_EXAMPLES) + " " + quoted(written));
+  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  EXPECT_EQ(withoutTimes(source("examples/README.md")), withoutTimes(fileText(written)))
+      << "run scripts/update-examples";
 }
 
 /** Rows of its table of options, "| `section.key` | default | allowed | meaning |", stand in the
@@ -165,8 +186,9 @@ TEST(Readme, ShowsOptionsAsTheyAre)
 TEST(Documents, LinkToWhatExists)
 {
   const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
-  for (const char* document : {"README.md", "CONTRIBUTING.md", "config/README.md",
-                               "rawlogs/README.md", "docs/architecture.md", "docs/algorithm.md"})
+  for (const char* document :
+       {"README.md", "CONTRIBUTING.md", "config/README.md", "rawlogs/README.md",
+        "examples/README.md", "docs/architecture.md", "docs/algorithm.md"})
   {
     const std::string text = source(document);
     ASSERT_FALSE(text.empty()) << document;

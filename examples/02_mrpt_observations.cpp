@@ -1,4 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+
+/** \file
+ * Example 2: the motion of a robot between two of MRPT's scan observations.
+ *
+ * Takes two scans that come with MRPT and a rough guess of the motion between them, and prints the
+ * result of the match, then the pose as MRPT's Gaussian with its covariance. */
+
 #include <mrpt/obs/stock_observations.h>
 #include <psmks/mrpt/ScanMatcher.h>
 
