@@ -1,0 +1,191 @@
+/* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <gtest/gtest.h>
+#include <psmks/joint/PoseVerifier.h>
+#include <tests/unit/joint/JointScene.h>
+
+namespace psmks
+{
+namespace
+{
+// Scans of 100 rays with a sigma of 1 cm. The poses are made by hand: of the scans only the number
+// of rays and their noise matter here.
+class PoseVerifierTest : public testing::Test
+{
+ protected:
+  static constexpr int kRays = 100;
+  static constexpr double kSigma_m = 0.01;
+
+  /** A pose of which nothing is amiss: 95 of 100 rays lie on surfaces, 90 of them are associated
+   * with lines that fix the position to a millimetre. */
+  static RefinedPose good()
+  {
+    RefinedPose pose;
+    pose.score = 0.95;
+    pose.inlierRays = 95;
+    pose.associations = 90;
+    pose.converged = true;
+    pose.observability.weakSigma_m = 0.001;
+    pose.observability.headingSigma_rad = degToRad(0.1);
+    pose.angleVariance_rad2 = std::pow(degToRad(0.05), 2);
+    return pose;
+  }
+
+  RefinedPose good_ = good();
+  JointScene scene_{squareRoom(), {}, BeamGrid::centered(2 * kPi, kRays)};
+};
+
+/** A good pose with one thing changed. */
+template <class Change>
+RefinedPose with(RefinedPose pose, const Change& change)
+{
+  change(pose);
+  return pose;
+}
+
+RefinedPose withScore(RefinedPose pose, double score)
+{
+  pose.score = score;
+  return pose;
+}
+
+constexpr double kALittle = 1e-6;
+}  // namespace
+
+TEST_F(PoseVerifierTest, APoseConvincesThatHasSettledWithAHighScore)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  const double confident = scene_.options.confidentScore;
+  EXPECT_TRUE(verifier.isConvincing(good_));
+  EXPECT_TRUE(verifier.isConvincing(withScore(good_, confident)));
+  EXPECT_FALSE(verifier.isConvincing(withScore(good_, confident - kALittle)));
+  EXPECT_FALSE(verifier.isConvincing(with(good_, [](RefinedPose& p) { p.converged = false; })));
+}
+
+// Half of the rays on surfaces have to be associated: 48 of 95.
+TEST_F(PoseVerifierTest, APoseConvincesThatIsHeldByLines)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  const RefinedPose held = with(good_, [](RefinedPose& p) { p.associations = 48; });
+  const RefinedPose loose = with(good_, [](RefinedPose& p) { p.associations = 47; });
+  EXPECT_TRUE(verifier.isHeldByLines(held));
+  EXPECT_FALSE(verifier.isHeldByLines(loose));
+  EXPECT_TRUE(verifier.isConvincing(held));
+  EXPECT_FALSE(verifier.isConvincing(loose));
+}
+
+TEST_F(PoseVerifierTest, APoseThatMaySlideAlongAWallConvincesNobody)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  const double limit_m = match.weakDirectionSigma_m();
+  const auto slidesBy = [&](double sigma_m)
+  { return with(good_, [&](RefinedPose& p) { p.observability.weakSigma_m = sigma_m; }); };
+  EXPECT_TRUE(verifier.isConvincing(slidesBy(limit_m)));
+  EXPECT_FALSE(verifier.isConvincing(slidesBy(limit_m + kALittle)));
+}
+
+TEST_F(PoseVerifierTest, APoseIsAcceptedFromTheAcceptanceScoreOn)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  const double accept = scene_.options.acceptScore;
+  EXPECT_TRUE(verifier.isAcceptable(withScore(good_, accept)));
+  EXPECT_FALSE(verifier.isAcceptable(withScore(good_, accept - kALittle)));
+  EXPECT_FALSE(verifier.isAcceptable(RefinedPose{})) << "a start of which nothing came";
+}
+
+// A third of the scan's rays are few: 34 of 100 rays. Two thirds of the rays are not most of them.
+TEST_F(PoseVerifierTest, DoubtfulIsWhatFewRaysAndFewPairsExplain)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  const auto isDoubtful = [&](double score, int associations)
+  {
+    return verifier.isDoubtful(
+        with(withScore(good_, score), [&](RefinedPose& p) { p.associations = associations; }));
+  };
+  EXPECT_TRUE(isDoubtful(0.67, 34));
+  EXPECT_FALSE(isDoubtful(0.95, 34)) << "nearly all rays are explained";
+  EXPECT_FALSE(isDoubtful(0.67, 67)) << "most rays are paired";
+  EXPECT_TRUE(isDoubtful(scene_.options.acceptScore - kALittle, 90)) << "not acceptable";
+}
+
+TEST_F(PoseVerifierTest, BeyondDoubtIsWhatManyRaysAndManyPairsExplain)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  EXPECT_TRUE(verifier.isBeyondDoubt(good_));
+  EXPECT_FALSE(verifier.isBeyondDoubt(withScore(good_, 0.67)));
+  const RefinedPose fewPairs = with(good_,
+                                    [](RefinedPose& p)
+                                    {
+                                      p.associations = 34;
+                                      p.inlierRays = 40;
+                                    });
+  EXPECT_FALSE(verifier.isBeyondDoubt(fewPairs));
+  const RefinedPose loose = with(good_, [](RefinedPose& p) { p.associations = 40; });
+  EXPECT_FALSE(verifier.isBeyondDoubt(loose)) << "40 pairs do not hold 95 rays";
+}
+
+TEST_F(PoseVerifierTest, ThePoseMayBeFarOffWhereMuchIsUnexplainedOrItSlides)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  EXPECT_FALSE(verifier.mayBeFarOff(good_));
+  EXPECT_TRUE(verifier.mayBeFarOff(withScore(good_, 0.67)));
+  const double limit_m = match.weakDirectionSigma_m();
+  EXPECT_TRUE(verifier.mayBeFarOff(
+      with(good_, [&](RefinedPose& p) { p.observability.weakSigma_m = limit_m + kALittle; })));
+}
+
+// Of two poses along a wall the one that has found a door jamb is preferred, unless the one that
+// slides explains clearly more: 5 of 100 rays.
+TEST_F(PoseVerifierTest, APoseThatSlidesRanksBelowOneThatIsFixed)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  const auto sliding = [&](double score)
+  {
+    return with(withScore(good_, score), [](RefinedPose& p) { p.observability.weakSigma_m = 0.5; });
+  };
+  const double fixed = verifier.rankingScore(withScore(good_, 0.9));
+  EXPECT_LT(verifier.rankingScore(sliding(0.9)), fixed);
+  EXPECT_LT(verifier.rankingScore(sliding(0.91)), fixed);
+  EXPECT_GT(verifier.rankingScore(sliding(0.95)), fixed);
+  EXPECT_GT(verifier.rankingScore(withScore(good_, 0.9 + kALittle)), fixed);
+}
+
+// A ray of either scan on a wall ahead tells the distance to sqrt(2) sigma, n such pairs to
+// sqrt(2 / n) sigma. Seven are few, nine are not.
+TEST_F(PoseVerifierTest, AFewRaysHoldADirectionWeakly)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  ASSERT_EQ(match.rangeSigma_m, kSigma_m);
+  const auto heldByPairs = [&](int pairs)
+  {
+    return with(good_, [&](RefinedPose& p)
+                { p.observability.weakSigma_m = std::sqrt(2.0 / pairs) * kSigma_m; });
+  };
+  EXPECT_TRUE(verifier.isWeaklyHeld(heldByPairs(7)));
+  EXPECT_FALSE(verifier.isWeaklyHeld(heldByPairs(9)));
+}
+
+// A pair of walls of 2 m that 60 rays with 1 cm of noise see is known to sqrt(2) sqrt(12 / 60) 1 cm
+// / 2 m = 0.2 degrees; a pair of pieces of 50 cm of a round wall to four times as much with as many
+// rays.
+TEST_F(PoseVerifierTest, ShortPiecesKnowTheDirectionOfNoWall)
+{
+  const JointMatch match = scene_.match();
+  const PoseVerifier verifier(match);
+  const auto ofLength = [&](double length_m)
+  {
+    const double sigma_rad = std::sqrt(2 * 12 / 60.0) * kSigma_m / length_m;
+    return with(good_, [&](RefinedPose& p) { p.angleVariance_rad2 = sigma_rad * sigma_rad; });
+  };
+  EXPECT_FALSE(verifier.hasFewStraightLines(ofLength(2)));
+  EXPECT_TRUE(verifier.hasFewStraightLines(ofLength(0.5)));
+}
+}  // namespace psmks
