@@ -7,7 +7,7 @@
 
 namespace psmks
 {
-/** The Ceres solvers where this library was built with them, else null: what a Matcher takes, so
- *  that it accepts or refuses `ceres` in its options. */
+/** The solvers to give to a Matcher: those of Ceres where this library was built with Ceres, else
+ * null, with which a Matcher refuses options that choose Ceres. */
 std::shared_ptr<const ExternalSolvers> builtSolvers();
 }  // namespace psmks

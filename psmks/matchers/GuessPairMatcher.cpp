@@ -5,7 +5,7 @@ namespace psmks
 {
 namespace
 {
-/** Takes the guess for the answer: what matching has to improve on. */
+/** Returns the guess as its answer, for comparison: a match has to improve on it. */
 class GuessPairMatcher : public PairMatcher
 {
  public:

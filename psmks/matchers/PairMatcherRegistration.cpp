@@ -10,8 +10,8 @@ namespace psmks
 {
 namespace
 {
-/** By name. Made by the first registration, before that one is complete, so it outlives them all.
- */
+/** All registered matchers by their names. The first registration makes it before that registration
+ * is complete, so it is destroyed after the last one. */
 std::map<std::string, PairMatcherEntry>& registry()
 {
   static std::map<std::string, PairMatcherEntry> entries;

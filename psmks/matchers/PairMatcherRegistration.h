@@ -10,41 +10,41 @@
 
 namespace psmks
 {
-/** Families of matchers, in the order of listings. */
+/** The families of matchers, in the order in which listings show them. */
 enum class PairMatcherFamily
 {
   Psmks,
   Psm,
   Icp,
   Gicp,
-  Guess  //!< the floor of them all
+  Guess  //!< returns the guess, which the others have to improve on
 };
 
-/** What programs need to know of a matcher to offer and to make it. */
+/** What a program needs to know of a matcher to list and to make it. */
 struct PairMatcherEntry
 {
   std::string name;
   std::string description;  //!< one line
   PairMatcherFamily family = PairMatcherFamily::Icp;
-  int placeInFamily = 0;  //!< in listings
+  int placeInFamily = 0;  //!< listings show lower ones first
 
-  /** Gets the name that it was asked for and the options of psmks, which others ignore.
-   *  May throw OptionError for options that it cannot accept. */
+  /** Makes the matcher from the name that it was asked for by and the options of psmks, which other
+   * methods ignore. May throw OptionError for options that it cannot accept. */
   std::function<std::unique_ptr<PairMatcher>(const std::string& name, MatcherOptions)> make;
 };
 
-/** Makes a matcher known to makePairMatcher() for as long as it lives. A rival's source file holds
- * one at namespace scope, and no other file has to name the rival:
+/** Makes a matcher known to makePairMatcher() for as long as the registration lives. The source
+ * file of a method holds one at namespace scope, and no other file has to name the method:
  *
  *     const PairMatcherRegistration kRegistration(
- *         {"my-icp", "ICP as I would have it", PairMatcherFamily::Icp, 10, makeMyIcp});
+ *         {"my-icp", "my variant of ICP", PairMatcherFamily::Icp, 10, makeMyIcp});
  *
- * Such objects may come to life in any order, before main(). No two threads may register at once.
- */
+ * Registrations may be made in any order, and before main(). No two threads may register at the
+ * same time. */
 class PairMatcherRegistration
 {
  public:
-  /** @throws std::logic_error where the name is taken */
+  /** @throws std::logic_error where a matcher of that name is registered */
   explicit PairMatcherRegistration(PairMatcherEntry entry);
   ~PairMatcherRegistration();
   PairMatcherRegistration(const PairMatcherRegistration&) = delete;
@@ -54,6 +54,6 @@ class PairMatcherRegistration
   std::string name_;
 };
 
-/** All that are registered, in the order of listings. */
+/** All matchers that are registered, in the order of listings. */
 std::vector<PairMatcherEntry> pairMatcherEntries();
 }  // namespace psmks

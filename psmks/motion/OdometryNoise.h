@@ -9,26 +9,29 @@
 
 namespace psmks
 {
-/** How far a motion measured by wheels is trusted, and what is assumed where none was measured.
- *  Standard deviations; a turn is 360 degrees. */
+/** Standard deviations of a motion that the wheels of a robot measured, and of one that nothing
+ * measured. A turn is 360 degrees. */
 struct OdometryOptions
 {
-  double minSigma_m = 0.02;
-  double minSigma_rad = degToRad(1);
-  double sigmaPerMetre_m = 0.20;
-  double sigmaPerTurn_m = 0.60;
-  double sigmaPerMetre_rad = degToRad(10);
-  double sigmaPerTurn_rad = degToRad(72);
-  double unknownSigma_m = 0.30;
-  double unknownSigma_rad = degToRad(15);
+  double minSigma_m = 0.02;                 //!< after no motion at all
+  double minSigma_rad = degToRad(1);        //!< after no motion at all
+  double sigmaPerMetre_m = 0.20;            //!< of the position, added for each metre driven
+  double sigmaPerTurn_m = 0.60;             //!< of the position, added for each turn
+  double sigmaPerMetre_rad = degToRad(10);  //!< of the heading, added for each metre driven
+  double sigmaPerTurn_rad = degToRad(72);   //!< of the heading, added for each turn
+  double unknownSigma_m = 0.30;             //!< of a motion that was not measured
+  double unknownSigma_rad = degToRad(15);   //!< of a motion that was not measured
 };
 
+/** Adds the section `[odometry]` with every field of the options. */
 void listFields(OptionTable& table, OdometryOptions& options);
 
-/** Covariance of (x, y, phi) of a measured motion, in the axes of its start: independent errors
- * whose standard deviations are the minimum plus shares of the way and of the turn. */
+/** Covariance of (x, y, phi) of a motion that was measured, in the axes of its start, in m^2 and
+ * rad^2. The three errors are independent. The standard deviation of each is the least one, plus
+ * what the distance between start and end adds, plus what the angle between them adds. */
 Eigen::Matrix3d odometryCovariance(const Pose2& motion, const OdometryOptions& options);
 
-/** Covariance of a motion that was not measured but taken over from the one before. */
+/** Covariance of (x, y, phi) of a motion that was not measured, but taken to be the one before once
+ * more. */
 Eigen::Matrix3d unknownMotionCovariance(const OdometryOptions& options);
 }  // namespace psmks

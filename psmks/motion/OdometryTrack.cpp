@@ -7,7 +7,7 @@ namespace psmks
 {
 void OdometryTrack::add(double stamp_s, const Pose2& T_odom_robot)
 {
-  // Of readings that share a stamp the last one counts: they would be an infinite speed.
+  // Two readings with the same stamp would give an infinite speed.
   if (last_ && stamp_s > last_->stamp_s) beforeLast_ = last_;
   last_ = Reading{stamp_s, T_odom_robot};
 }

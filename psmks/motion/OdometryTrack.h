@@ -7,19 +7,27 @@
 
 namespace psmks
 {
-/** The path that wheels measured, as absolute readings at their own times, and the pose at the
- * times of scans between and shortly after them. */
+/** The path that the wheels of a robot measured, given as poses at times of their own. It tells the
+ * pose at the time of a scan, which lies between two readings or shortly after the last one. */
 class OdometryTrack
 {
  public:
-  /** A reading older than this says nothing of the present. */
+  /** A reading that is older than this tells no pose. */
   static constexpr double kMaxAge_s = 1.0;
 
-  /** Readings come in the order of time; where one does not, nothing is interpolated. */
+  /** Adds a reading. Readings come in the order of their stamps. Of readings with the same stamp
+   * the last one counts. After a reading that goes back in time, poses are those of that reading
+   * until the next one. */
   void add(double stamp_s, const Pose2& T_odom_robot);
 
-  /** The pose between the last two readings, or after the last one at the speed between them; none
-   *  before the first reading and kMaxAge_s after the last. */
+  /** The pose of the robot in the frame of the odometry at a time.
+   *
+   * Between the last two readings it is interpolated, each coordinate in the frame of the earlier
+   * motion; after them the speed between them goes on. A time before both gives the earlier one.
+   * Where only one reading is known, or the last two are more than kMaxAge_s apart, it is the last
+   * reading.
+   *
+   *  @return none before the first reading, and later than kMaxAge_s after the last one */
   std::optional<Pose2> poseAt(double stamp_s) const;
 
  private:

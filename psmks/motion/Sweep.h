@@ -7,38 +7,43 @@
 
 namespace psmks
 {
-/** Turns the rays of a scan into the frame that the sensor had when the first of them was measured.
+/** Corrects the bearings of a scan for the rotation of the robot during the sweep of the beam, so
+ * that all of them are in the frame that the sensor had at the first ray.
  *
- * While the beam sweeps, a robot that turns carries it on: the ray that the scanner calls b was
- * cast at b + rate * time since the first ray. For a steady rate that is an even grid again, whose
- * increment is wider where robot and beam turn the same way.
+ * A ray that the scanner reports at bearing b was cast at b + rate * (time since the first ray).
+ * For a steady rate the true bearings are an even grid again, with a wider increment where robot
+ * and beam turn the same way.
  *
- *     a scanner that takes 7 ms for 180 degrees on a robot that turns with 60 degrees a second
- *     reports a half circle of 180 degrees where it swept 180.4
+ *     A scanner that takes 7 ms for 180 degrees, on a robot that turns with 60 degrees a second,
+ *     reports a half circle of 180 degrees where it swept 180.4 degrees.
  *
- * Uncorrected, every turn is measured too small if the robot turns with the beam and too large if
- * against it: a heading error that grows with the turns made, always to the same side. What the
- * robot moves during a sweep is not corrected. Rays of a scanner that would go more than once round
- * are dropped at the end. Does nothing where the duration is unknown or a value is not finite. */
+ * Without the correction every turn is measured too small if the robot turns with the beam and too
+ * large if it turns against it, an error of the heading that adds up to the same side. Translation
+ * during the sweep is not corrected. Where the corrected rays would cover more than a full circle,
+ * the last rays are dropped. The scan stays as it is where its sweepDuration_s is 0 (unknown),
+ * where the rate is not finite, and where it has not as many ranges as rays.
+ *
+ *  @param turnRate_rad_s of the robot, positive to the left */
 void straightenSweep(Scan& scan, double turnRate_rad_s);
 
-/** From the first to the last ray of a scanner whose beam goes once round in a time. */
+/** The time from the first to the last ray of a scanner whose beam takes `beamTurn_s` for a full
+ * circle. */
 double sweepDuration_s(const BeamGrid& grid, double beamTurn_s);
 
-/** How fast a robot turns, from its headings at the times of its scans.
- *
- * The rate is that over the last kWindow_s at least: stamps of single scans jitter. */
+/** How fast a robot turns, from what it turned between its scans. The rate is a mean over at least
+ * the last kWindow_s, since the stamps of single scans jitter. */
 class TurnRate
 {
  public:
   static constexpr double kWindow_s = 0.2;
-  static constexpr double kMaxAge_s = 3.0;  //!< a longer gap says nothing of the present
+  static constexpr double kMaxAge_s = 3.0;  //!< over a longer time no rate is given
 
-  /** @param turned_rad since the last call */
+  /** Adds a reading. One that goes back in time replaces all before it.
+   *  @param turned_rad by how much the robot has turned since the reading before */
   void add(double stamp_s, double turned_rad);
 
-  /** 0 where the readings do not tell: before the second one, after a gap, and where their stamps
-   * do not increase. */
+  /** The rate, positive to the left; 0 where it is not known: before the second reading, where the
+   * readings span less than a quarter of kWindow_s, and where they span more than kMaxAge_s. */
   double rate_rad_s() const;
 
  private:

@@ -8,17 +8,13 @@ namespace psmks
 {
 namespace
 {
-// How far a return may lie from what the reference saw: the pose is a guess, and the farther the
-// return the more a wrong heading moves it.
-constexpr double kTolerance_m = 0.3;
-constexpr double kTolerancePerMetre = 0.05;
-
-/** As in cleanScan(): ranges that do not fit the grid are no ranges. */
+/** Whether the scan has one range for each ray. */
 bool isWellFormed(const Scan& scan)
 {
   return scan.range_m.size() == static_cast<std::size_t>(scan.grid.count());
 }
 
+/** Whether the ray met something, by the same rules as cleanScan(). */
 bool isReturn(const Scan& scan, int ray)
 {
   const auto i = static_cast<std::size_t>(ray);
@@ -27,7 +23,6 @@ bool isReturn(const Scan& scan, int ray)
   const bool inReach = scan.maxRange_m <= 0 || range_m < scan.maxRange_m;
   return flaggedValid && std::isfinite(range_m) && range_m > 0 && inReach;
 }
-
 }  // namespace
 
 Overlap::Overlap(const Scan& reference, const Scan& current, int stride) : reference_(reference)
@@ -51,6 +46,7 @@ double Overlap::at(const Pose2& T_ref_cur) const
 
 bool Overlap::isSeen(const Eigen::Vector2d& point_m) const
 {
+  constexpr double kTolerance_m = 0.3, kTolerancePerMetre = 0.05;
   const BeamGrid& grid = reference_.grid;
   const double range_m = point_m.norm();
   const double index =

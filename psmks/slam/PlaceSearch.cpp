@@ -9,11 +9,10 @@ namespace psmks
 {
 namespace
 {
-// As coarse as the tolerance of overlap() allows.
 constexpr double kStep_m = 0.4;
 constexpr double kStep_rad = degToRad(4);
 
-/** Every so many rays of a scan tell enough of where it may be. */
+/** The stride that leaves about 40 rays of a scan. */
 int strideOf(const Scan& scan)
 {
   constexpr int kRays = 40;

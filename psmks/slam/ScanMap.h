@@ -9,21 +9,26 @@
 
 namespace psmks
 {
-/** What a trajectory shows of the world, in the world's frame: made for pictures and files. */
+/** What the scans of a trajectory show, in the frame of the world, for pictures and files. */
 struct ScanMap
 {
+  /** A segment of a scan. */
   struct Wall
   {
     Eigen::Vector2d from_m, to_m;
-    int points;      //!< rays on it
-    double sigma_m;  //!< of their distances from it
+    int points;      //!< number of rays on it
+    double sigma_m;  //!< standard deviation of their distances from it
   };
 
   std::vector<Eigen::Vector2d> points_m;  //!< every valid return of every scan
-  std::vector<Wall> walls;                //!< the segments of the reference scans
-  std::vector<Pose2> path;                //!< of the robot, one pose a scan
-  std::vector<Pose2> odometryPath;        //!< by odometry alone; empty where there was none
+  std::vector<Wall> walls;                //!< the segments of the scans that were references
+  std::vector<Pose2> path;                //!< T_world_robot, one for each scan
+  std::vector<Pose2> odometryPath;        //!< T_world_odometry, one for each scan; empty where the
+                                          //!< odometry never moved
 };
+
+/** @param options those of the matcher, by which the scans are segmented once more; each scan is
+ * believed in the noise that it shows */
 
 ScanMap makeScanMap(const std::vector<PosedScan>& scans, const MatcherOptions& options);
 }  // namespace psmks
