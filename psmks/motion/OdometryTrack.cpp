@@ -5,10 +5,21 @@
 
 namespace psmks
 {
+namespace
+{
+/** A share of a motion: each coordinate, in the frame at its start. */
+Pose2 shareOf(const Pose2& motion, double share)
+{
+  return {share * motion.x_m, share * motion.y_m, wrapAngle(share * motion.phi_rad)};
+}
+}  // namespace
+
 void OdometryTrack::add(double stamp_s, const Pose2& T_odom_robot)
 {
-  // Two readings with the same stamp would give an infinite speed.
-  if (last_ && stamp_s > last_->stamp_s) beforeLast_ = last_;
+  if (last_ && stamp_s < last_->stamp_s)
+    beforeLast_.reset();
+  else if (last_ && stamp_s > last_->stamp_s)
+    beforeLast_ = last_;
   last_ = Reading{stamp_s, T_odom_robot};
 }
 
@@ -17,11 +28,11 @@ std::optional<Pose2> OdometryTrack::poseAt(double stamp_s) const
   if (!last_ || stamp_s - last_->stamp_s > kMaxAge_s) return std::nullopt;
   if (!beforeLast_) return last_->T_odom_robot;
   const double span_s = last_->stamp_s - beforeLast_->stamp_s;
-  if (span_s <= 0 || span_s > kMaxAge_s) return last_->T_odom_robot;
+  if (span_s > kMaxAge_s) return last_->T_odom_robot;
 
-  const double share = std::max(-1.0, (stamp_s - last_->stamp_s) / span_s);
   const Pose2 step = beforeLast_->T_odom_robot.inverse() * last_->T_odom_robot;
-  return last_->T_odom_robot *
-         Pose2{share * step.x_m, share * step.y_m, wrapAngle(share * step.phi_rad)};
+  const double share = (stamp_s - last_->stamp_s) / span_s;
+  if (share > 0) return last_->T_odom_robot * shareOf(step, share);
+  return beforeLast_->T_odom_robot * shareOf(step, std::max(0.0, 1 + share));
 }
 }  // namespace psmks

@@ -7,102 +7,101 @@ namespace psmks
 {
 namespace
 {
-/** Rounding alone. */
-constexpr double kExact = 1e-12;
+//    y
+//    |  ^ second reading, half a second later: the robot has turned to the left
+//    |  |
+//    o--'-> x
+//    first reading, at 10 s
+constexpr double kFirst_s = 10, kSecond_s = 10.5;
+const Pose2 kFirst{1, 2, 0}, kSecond{1.4, 2.2, degToRad(90)};
 
-//  y
-//  |    x 10.2 s   A robot drives along the diagonal and turns to the left:
-//  |  x 10.0 s     readings every 0.2 s, 0.1 m and 10 degrees apart.
-//  +------- x
-class OdometryTrackTest : public testing::Test
+OdometryTrack twoReadings()
 {
- protected:
-  void addBoth()
-  {
-    track_.add(10.0, first_);
-    track_.add(10.2, first_ * step_);
-  }
+  OdometryTrack track;
+  track.add(kFirst_s, kFirst);
+  track.add(kSecond_s, kSecond);
+  return track;
+}
 
-  /** After a share of the step beyond the first reading: its parts grow in proportion to time. */
-  Pose2 after(double steps) const
-  {
-    return first_ * step_ * Pose2{(steps - 1) * step_.x_m, 0, (steps - 1) * step_.phi_rad};
-  }
-
-  OdometryTrack track_;
-  const Pose2 first_{1, 1, degToRad(45)}, step_{0.1, 0, degToRad(10)};
-};
+void expectPose(const OdometryTrack& track, double stamp_s, const Pose2& expected)
+{
+  const auto pose = track.poseAt(stamp_s);
+  ASSERT_TRUE(pose) << stamp_s;
+  EXPECT_TRUE(isNearly(*pose, expected, 1e-12, 1e-12)) << stamp_s;
+}
 }  // namespace
 
-TEST_F(OdometryTrackTest, BeforeTheFirstReadingNothingIsKnown) { EXPECT_FALSE(track_.poseAt(10)); }
-
-TEST_F(OdometryTrackTest, AtAReadingItIsThatReading)
+TEST(OdometryTrack, BeforeTheFirstReadingNoPoseIsKnown)
 {
-  addBoth();
-  EXPECT_TRUE(isNearly(*track_.poseAt(10.2), first_ * step_, kExact, kExact));
+  EXPECT_FALSE(OdometryTrack().poseAt(kFirst_s));
 }
 
-TEST_F(OdometryTrackTest, BetweenReadingsItIsInterpolated)
+TEST(OdometryTrack, ASingleReadingIsThePoseForASecond)
 {
-  addBoth();
-  EXPECT_TRUE(isNearly(*track_.poseAt(10.15), after(0.75), kExact, kExact));
+  OdometryTrack track;
+  track.add(kFirst_s, kFirst);
+  for (const double stamp_s : {kFirst_s - 5, kFirst_s, kFirst_s + OdometryTrack::kMaxAge_s})
+    expectPose(track, stamp_s, kFirst);
+  EXPECT_FALSE(track.poseAt(kFirst_s + 1.01 * OdometryTrack::kMaxAge_s));
 }
 
-TEST_F(OdometryTrackTest, AfterTheLastReadingTheSpeedIsKept)
+TEST(OdometryTrack, AtTheStampOfAReadingThePoseIsThatReading)
 {
-  addBoth();
-  EXPECT_TRUE(isNearly(*track_.poseAt(10.3), after(1.5), kExact, kExact));
+  expectPose(twoReadings(), kFirst_s, kFirst);
+  expectPose(twoReadings(), kSecond_s, kSecond);
 }
 
-TEST_F(OdometryTrackTest, BeforeTheLastButOneItStays)
+TEST(OdometryTrack, HalfWayBetweenTwoReadingsIsHalfOfEachCoordinate)
 {
-  addBoth();
-  EXPECT_TRUE(isNearly(*track_.poseAt(9), after(0), kExact, kExact));
+  expectPose(twoReadings(), kFirst_s + 0.25, {1.2, 2.1, degToRad(45)});
 }
 
-TEST_F(OdometryTrackTest, OneReadingStands)
+TEST(OdometryTrack, AfterTheLastReadingTheRobotGoesOnAsFast)
 {
-  track_.add(10, first_);
-  EXPECT_TRUE(isNearly(*track_.poseAt(10.5), first_, 0, 0));
+  // the same motion in the frame of the second reading, whose x axis points along y
+  expectPose(twoReadings(), kSecond_s + 0.5, {1.4 - 0.2, 2.2 + 0.4, degToRad(180)});
+  EXPECT_FALSE(twoReadings().poseAt(kSecond_s + 1.01 * OdometryTrack::kMaxAge_s));
 }
 
-TEST_F(OdometryTrackTest, AnOldReadingSaysNothingOfThePresent)
+TEST(OdometryTrack, ATimeBeforeBothReadingsGivesTheEarlierOne)
 {
-  addBoth();
-  EXPECT_TRUE(track_.poseAt(10.2 + OdometryTrack::kMaxAge_s - 1e-6));
-  EXPECT_FALSE(track_.poseAt(10.2 + OdometryTrack::kMaxAge_s + 1e-6));
+  expectPose(twoReadings(), kFirst_s - 1, kFirst);
 }
 
-// A speed over more than a second is none of the present one.
-TEST_F(OdometryTrackTest, ReadingsFarApartAreNotInterpolated)
+TEST(OdometryTrack, ReadingsFarApartTellNoSpeed)
 {
-  track_.add(10, first_);
-  track_.add(10 + 2 * OdometryTrack::kMaxAge_s, first_ * step_);
-  EXPECT_TRUE(isNearly(*track_.poseAt(11.5), first_ * step_, 0, 0));
-  EXPECT_TRUE(isNearly(*track_.poseAt(12.5), first_ * step_, 0, 0));
+  OdometryTrack track;
+  track.add(kFirst_s, kFirst);
+  track.add(kFirst_s + 1.01 * OdometryTrack::kMaxAge_s, kSecond);
+  expectPose(track, kFirst_s + 0.5, kSecond);
+  expectPose(track, kFirst_s + 1.5, kSecond);
 }
 
-TEST_F(OdometryTrackTest, OfReadingsThatShareAStampTheLastOneCounts)
+TEST(OdometryTrack, OfReadingsWithTheSameStampTheLastOneCounts)
 {
-  track_.add(10.0, first_);
-  track_.add(10.2, {7, 7, 7});
-  track_.add(10.2, first_ * step_);
-  EXPECT_TRUE(isNearly(*track_.poseAt(10.1), after(0.5), kExact, kExact));
+  OdometryTrack track = twoReadings();
+  const Pose2 corrected{1.8, 2, 0};
+  track.add(kSecond_s, corrected);
+  expectPose(track, kSecond_s, corrected);
+  expectPose(track, kFirst_s + 0.25, {1.4, 2, 0});
 }
 
-TEST_F(OdometryTrackTest, WhereTimeRunsBackNothingIsInterpolated)
+TEST(OdometryTrack, AReadingThatGoesBackInTimeStartsAnew)
 {
-  track_.add(10.2, {7, 7, 1});
-  track_.add(10.0, first_);
-  EXPECT_TRUE(isNearly(*track_.poseAt(10.0), first_, 0, 0));
-  EXPECT_TRUE(isNearly(*track_.poseAt(10.1), first_, 0, 0));
+  OdometryTrack track = twoReadings();
+  const Pose2 restarted{0, 0, 0};
+  track.add(kFirst_s + 0.25, restarted);
+  expectPose(track, kFirst_s + 0.3, restarted);
+  track.add(kFirst_s + 0.5, {0.1, 0, 0});
+  expectPose(track, kFirst_s + 0.375, {0.05, 0, 0});
 }
 
 // The shorter way round: from 175 to -175 degrees are 10 degrees.
-TEST_F(OdometryTrackTest, HeadingsAreInterpolatedAcrossTheSeam)
+TEST(OdometryTrack, HeadingsAreInterpolatedAcrossTheSeam)
 {
-  track_.add(10.0, {0, 0, degToRad(175)});
-  track_.add(10.2, {0, 0, degToRad(-175)});
-  EXPECT_TRUE(isNearly(*track_.poseAt(10.1), {0, 0, kPi}, kExact, kExact));
+  OdometryTrack track;
+  track.add(kFirst_s, {0, 0, degToRad(175)});
+  track.add(kSecond_s, {0, 0, degToRad(-175)});
+  expectPose(track, kFirst_s + 0.25, {0, 0, kPi});
 }
 }  // namespace psmks
