@@ -4,6 +4,17 @@
 
 namespace psmks
 {
+std::unique_ptr<PreparedScan> PairMatcher::prepare(const Scan& scan, const ScannerNoise&)
+{
+  return std::make_unique<PreparedAs<Scan>>(scan);
+}
+
+MatchResult PairMatcher::matchPrepared(const PreparedScan& reference, const PreparedScan& current,
+                                       const Guess& guess, SearchScope)
+{
+  return match(dataOf<Scan>(reference), dataOf<Scan>(current), guess);
+}
+
 MatchResult keptGuess(MatchStatus status, const Guess& guess)
 {
   MatchResult result;

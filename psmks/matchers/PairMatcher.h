@@ -6,6 +6,8 @@
 #include <psmks/match/Guess.h>
 #include <psmks/match/MatchResult.h>
 #include <psmks/match/SearchScope.h>
+#include <psmks/matchers/PreparedScan.h>
+#include <psmks/segmentation/ScannerNoise.h>
 
 #include <memory>
 #include <string>
@@ -13,49 +15,55 @@
 
 namespace psmks
 {
-/** Any method that estimates the motion between two scans: psmks' own schemes and the ones they are
- *  compared with. Owns its buffers, so one object serves one thread. */
+/** Any method that estimates the motion between two scans: the schemes of psmks and the methods
+ * that they are compared with.
+ *
+ * A result depends on the arguments of the call alone, never on the calls before: an object owns
+ * buffers, and nothing that it has learnt. One object serves one thread. */
 class PairMatcher
 {
  public:
   virtual ~PairMatcher() = default;
 
-  /** The name it was made by. */
+  /** The name that makePairMatcher() made this matcher by. */
   virtual std::string name() const = 0;
 
-  /** Pose of the current scan in the frame of the reference scan. Everything the method does with
-   * the raw scans happens in here. Bad data never throws: see MatchStatus. */
+  /** Pose of the current scan in the frame of the reference scan, both taken by themselves: what
+   * either shows of its noise is believed.
+   *
+   * Never throws for bad data: scans without returns, or a guess that is not finite, end in
+   * MatchStatus::InvalidInput at the guess. The covariance is never zero. The times of the result
+   * hold everything that was done with the two raw scans. */
   virtual MatchResult match(const Scan& reference, const Scan& current, const Guess& guess) = 0;
 
-  /** Keeps a reference for the calls of matchToReference() that follow. */
-  virtual void setReference(const Scan& reference) { reference_ = reference; }
+  /** Does once what every match of a scan needs, whether the scan is the reference or the current
+   * one. By default that is a copy of the scan. Never throws for bad data.
+   *  @param scanner what other scans of the scanner have shown of its noise; with the default, what
+   * this scan shows is believed. The caller decides which scans to count in it. */
+  virtual std::unique_ptr<PreparedScan> prepare(const Scan& scan, const ScannerNoise& scanner = {});
 
-  /** As match() against the last reference that was set, whose preparation is not repeated. The
-   * scans are those of one scanner: a method may learn of its noise.
-   *  @param scope how far from the guess psmks' joint scheme looks; other methods have but one */
-  virtual MatchResult matchToReference(const Scan& current, const Guess& guess,
-                                       [[maybe_unused]] SearchScope scope = SearchScope::Full)
-  {
-    return match(reference_, current, guess);
-  }
-
- private:
-  Scan reference_;
+  /** As match(), of scans that were prepared before. The times of the result leave their
+   * preparation out.
+   *  @param scope how far from the guess the joint scheme of psmks searches; other methods have one
+   * scope only
+   *  @throws std::bad_cast where a matcher of another kind has prepared a scan */
+  virtual MatchResult matchPrepared(const PreparedScan& reference, const PreparedScan& current,
+                                    const Guess& guess, SearchScope scope = SearchScope::Full);
 };
 
-/** The result that stays at the guess, with the covariance of the guess where it has one: what a
- * match that failed gives. */
+/** The result of a match that failed: it stays at the guess, with the covariance of the guess where
+ * it has one, else with the default of MatchResult. */
 MatchResult keptGuess(MatchStatus status, const Guess& guess);
 
 /** The names that makePairMatcher() knows, in the order of listings. Each matcher registers itself
  *  in its own file, see PairMatcherRegistration.h. */
 std::vector<std::string> pairMatcherNames();
 
-/** A matcher by its name, among them `psmks`, these options, and `guess`, no match at all: the
- * guess is the answer. `psmks-benchmark matchers` lists them all.
+/** Makes a matcher by its name: `psmks` matches by these options, `guess` does not match at all but
+ * returns the guess, and `psmks-benchmark matchers` lists all names.
  *
- *  @throws OptionError naming the known ones for any other name, and where the options choose a
- * solver that was not built */
+ *  @throws OptionError that lists the known names for any other name, and OptionError where the
+ * options choose a solver that was not built */
 std::unique_ptr<PairMatcher> makePairMatcher(const std::string& name,
                                              const MatcherOptions& options = {});
 }  // namespace psmks

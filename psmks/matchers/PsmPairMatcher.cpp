@@ -39,11 +39,12 @@ MatchResult toMatchResult(const PsmResult& psm, const Guess& guess, int goodRays
   result.iterations = psm.iterations;
   return result;
 }
-/** The original polar scan matching, on equal terms.
+
+/** The original polar scan matching.
  *
- *  `score` is the share of the current scan's good rays that paired in the last translation step;
- *  times.segmentation_s is the time of filtering and segmenting, times.refinement_s all the rest.
- */
+ * `score` is the share of the good rays of the current scan that were paired in the last
+ * translation step. `times.segmentation_s` is the time of filtering and segmenting,
+ * `times.refinement_s` the time of everything else. */
 class PsmPairMatcher : public PairMatcher
 {
  public:
@@ -54,33 +55,37 @@ class PsmPairMatcher : public PairMatcher
   MatchResult match(const Scan& reference, const Scan& current, const Guess& guess) override
   {
     Stopwatch stopwatch;
-    setReference(reference);
-    const double reference_s = stopwatch.lap_s();
-    MatchResult result = matchToReference(current, guess, SearchScope::Full);
-    result.times.segmentation_s += reference_s;
+    preparePsmScan(reference, matcher_.options(), reference_);
+    preparePsmScan(current, matcher_.options(), current_);
+    const double segmentation_s = stopwatch.lap_s();
+    MatchResult result = matchPsm(reference_, current_, guess);
+    result.times.segmentation_s = segmentation_s;
     return result;
   }
 
-  void setReference(const Scan& reference) override
+  std::unique_ptr<PreparedScan> prepare(const Scan& scan, const ScannerNoise&) override
   {
-    preparePsmScan(reference, matcher_.options(), reference_);
+    PsmScan prepared;
+    preparePsmScan(scan, matcher_.options(), prepared);
+    return std::make_unique<PreparedAs<PsmScan>>(std::move(prepared));
   }
 
-  MatchResult matchToReference(const Scan& current, const Guess& guess,
-                               SearchScope /*scope*/) override
+  MatchResult matchPrepared(const PreparedScan& reference, const PreparedScan& current,
+                            const Guess& guess, SearchScope) override
+  {
+    return matchPsm(dataOf<PsmScan>(reference), dataOf<PsmScan>(current), guess);
+  }
+
+ private:
+  MatchResult matchPsm(const PsmScan& reference, const PsmScan& current, const Guess& guess)
   {
     Stopwatch stopwatch;
-    preparePsmScan(current, matcher_.options(), current_);
-    const double segmentation_s = stopwatch.lap_s();
-
-    const PsmResult psm = matcher_.match(reference_, current_, guess.T_ref_cur);
-    MatchResult result = toMatchResult(psm, guess, current_.goodRays());
-    result.times.segmentation_s = segmentation_s;
+    const PsmResult psm = matcher_.match(reference, current, guess.T_ref_cur);
+    MatchResult result = toMatchResult(psm, guess, current.goodRays());
     result.times.refinement_s = stopwatch.lap_s();
     return result;
   }
 
- private:
   std::string name_;
   PsmMatcher matcher_;
   PsmScan reference_, current_;

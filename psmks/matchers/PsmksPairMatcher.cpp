@@ -8,7 +8,7 @@ namespace psmks
 {
 namespace
 {
-/** psmks::Matcher with a workspace of its own. */
+/** psmks::Matcher with a workspace of its own. A prepared scan is a segmented one. */
 class PsmksPairMatcher : public PairMatcher
 {
  public:
@@ -25,29 +25,25 @@ class PsmksPairMatcher : public PairMatcher
     return matcher_.match(reference, current, guess, workspace_);
   }
 
-  void setReference(const Scan& reference) override
+  std::unique_ptr<PreparedScan> prepare(const Scan& scan, const ScannerNoise& scanner) override
   {
-    matcher_.segment(reference, workspace_, reference_, scanner_);
+    SegmentedScan segmented;
+    matcher_.segment(scan, workspace_, segmented, scanner);
+    const bool showsMoreNoise = segmented.showsMoreNoise;
+    return std::make_unique<PreparedAs<SegmentedScan>>(std::move(segmented), showsMoreNoise);
   }
 
-  MatchResult matchToReference(const Scan& current, const Guess& guess, SearchScope scope) override
+  MatchResult matchPrepared(const PreparedScan& reference, const PreparedScan& current,
+                            const Guess& guess, SearchScope scope) override
   {
-    Stopwatch stopwatch;
-    matcher_.segment(current, workspace_, current_, scanner_);
-    scanner_.add(current_.showsMoreNoise);
-    const double segmentation_s = stopwatch.lap_s();
-
-    MatchResult result = matcher_.match(reference_, current_, guess, workspace_, nullptr, scope);
-    result.times.segmentation_s += segmentation_s;
-    return result;
+    return matcher_.match(dataOf<SegmentedScan>(reference), dataOf<SegmentedScan>(current), guess,
+                          workspace_, nullptr, scope);
   }
 
  private:
   std::string name_;
   Matcher matcher_;
   MatcherWorkspace workspace_;
-  SegmentedScan reference_, current_;
-  ScannerNoise scanner_;
 };
 
 std::unique_ptr<PairMatcher> makePsmks(const std::string& name, MatcherOptions options)

@@ -12,7 +12,7 @@ namespace
 constexpr const char* kMatchesHeader =
     "stamp_s,reference_stamp_s,status,x_m,y_m,phi_deg,cov_xx_m2,cov_xy_m2,cov_yy_m2,"
     "cov_xphi_m_deg,cov_yphi_m_deg,cov_phiphi_deg2,associations,iterations,segmentation_ms,"
-    "match_ms\n";
+    "match_ms,decides\n";
 
 void writeStamp(std::ostream& out, double stamp_s)
 {
@@ -20,7 +20,7 @@ void writeStamp(std::ostream& out, double stamp_s)
       << std::setprecision(7);
 }
 
-/** Upper triangle by columns, degrees for radians. */
+/** Writes the upper triangle, column by column, with degrees in place of radians. */
 void writeCovariance(std::ostream& out, const Eigen::Matrix3d& covariance)
 {
   const Eigen::Vector3d units(1, 1, radToDeg(1));
@@ -32,6 +32,7 @@ void writeCovariance(std::ostream& out, const Eigen::Matrix3d& covariance)
 void writeMatch(std::ostream& out, const ReferenceMatch& match, const PosedScan& scan,
                 const PosedScan& reference)
 {
+  const bool decides = &match == scan.decidingMatch();
   const auto& [referenceIndex, T_ref_cur, result, time_s] = match;
   writeStamp(out, scan.stamp_s());
   writeStamp(out, reference.stamp_s());
@@ -39,7 +40,7 @@ void writeMatch(std::ostream& out, const ReferenceMatch& match, const PosedScan&
       << radToDeg(T_ref_cur.pose.phi_rad) << ',';
   writeCovariance(out, T_ref_cur.covariance);
   out << result.associations << ',' << result.iterations << ',' << 1e3 * result.times.segmentation_s
-      << ',' << 1e3 * time_s << '\n';
+      << ',' << 1e3 * time_s << ',' << (decides ? 1 : 0) << '\n';
 }
 }  // namespace
 

@@ -8,10 +8,13 @@
 
 namespace psmks
 {
-/** One row a match: where the robot was seen from the reference's, how sure that is, and what it
- * cost. Covariance terms are in metres and degrees, in the axes of the reference. */
+/** Writes one row for each match that was tried to place a scan, in the order they were tried: the
+ * stamps of both scans, the status, the pose of the robot seen from the robot at the reference, its
+ * covariance, how many rays were associated, how long it took, and whether this is the match that
+ * decided where the scan is (1) or another one was (0). Covariance terms are in metres and degrees,
+ * in the axes of the reference; headers name all units. */
 void writeMatchesCsv(std::ostream& out, const std::vector<PosedScan>& scans);
 
-/** One row a segment, in the world's frame. */
+/** Writes one row for each segment of the map, in the frame of the world. */
 void writeSegmentsCsv(std::ostream& out, const ScanMap& map);
 }  // namespace psmks

@@ -5,54 +5,62 @@
 #include <psmks/slam/PosedScan.h>
 #include <psmks/slam/ReferencePolicy.h>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace psmks
 {
-/** The scans that others are matched against, and the matches between them that fix where they are.
+/** The scans that other scans are matched against, and the matches between them, which fix where
+ * they are.
  *
- *        k3 ----- k2 -----.            links: matches of a keyframe, when it joins, against those
- *        |  \   /  |       k1          around it that saw the same things. A loop that closes
- *        k4 --- k5 -----'              moves all of them.
+ *        k3 ----- k2 -----.            A keyframe is matched, when it joins, against those around
+ *        |  \   /  |       k1          it that saw the same things. These matches are the links of
+ *        k4 --- k5 -----'              a graph of poses; a loop that closes moves all of them.
  *
- * Keyframes are indices into the scans of a trajectory, whose poses the map keeps up to date. */
+ * Keyframes are named by the indices of their scans in a trajectory. The caller passes the same
+ * trajectory in every call, and the map keeps the poses of its keyframes up to date. */
 class KeyframeMap
 {
  public:
   explicit KeyframeMap(const ReferencePolicy& policy) : policy_(policy) {}
 
-  /** A keyframe that may have seen what a scan shows, and where it would have. */
+  /** A keyframe that may have seen what a scan shows. */
   struct View
   {
-    std::size_t keyframe = 0;
-    Pose2 T_keyframe_cur;  //!< of the robots
+    std::size_t keyframe = 0;  //!< index of its scan
+    Pose2 T_keyframe_cur;      //!< where the robot at the scan would be, seen from the keyframe's
   };
 
-  /** The nearest keyframe that saw enough of a scan. */
+  /** The nearest keyframe within reach that saw enough of a scan, where the scan is said to be.
+   *  @return none where no keyframe did */
   std::optional<std::size_t> nearest(const std::vector<PosedScan>& scans,
                                      const PosedScan& current) const;
 
-  /** Keyframes that saw enough of a scan, the nearest first. */
+  /** The keyframes within reach that saw enough of a scan, the nearest first. Without a map (see
+   * ReferencePolicy) only the last few keyframes are asked. */
   std::vector<View> around(const std::vector<PosedScan>& scans, const PosedScan& current) const;
 
-  /** Keyframes of earlier visits that would have seen a scan if the way since then had drifted as
-   * much as it may have, the one that shares most first. Each with the pose at which it shares
-   * most.
-   *  @param reference the keyframe that the scan hangs on: the way is that of the links from there
-   */
+  /** The keyframes that would have seen enough of a scan if its pose was off by what may have
+   * drifted on the way since they were left. Around each of the nearest 8 that the drift allows,
+   * the pose is searched for at which it shares most with the scan.
+   *  @param reference the keyframe that places the scan: the ways to all others start there
+   *  @return the one that shares most first, each with that pose */
   std::vector<View> loopCandidates(const std::vector<PosedScan>& scans, const PosedScan& current,
                                    std::size_t reference) const;
 
-  /** Whether a scan shows nothing that a keyframe near it has not shown. */
+  /** Whether a keyframe near a scan saw enough of it, so that the scan need not become one. */
   bool covers(const std::vector<PosedScan>& scans, const PosedScan& current) const;
 
-  /** Takes in a scan at its present pose, with the measured poses of it in other keyframes, and
-   * sets the poses of keyframes anew where these say something new. */
+  /** Adds the scan with this index as a keyframe at its present pose. Where the links contradict
+   * the poses by more than a centimetre, the poses of the last keyframes are set anew, and those of
+   * all keyframes where it is more than 5 cm; what is less waits for the next time.
+   *  @param links poses of the scan seen from other scans; those from scans that are no keyframes
+   * are left out */
   void add(std::vector<PosedScan>& scans, std::size_t index,
            const std::vector<ReferenceMatch>& links);
 
-  /** Sets the poses of all keyframes to what all links say together. */
+  /** Moves all keyframes to where all links together say that they are. The first one stays. */
   void optimise(std::vector<PosedScan>& scans);
 
  private:
@@ -62,8 +70,19 @@ class KeyframeMap
     std::size_t node;
   };
 
-  bool isSeen(const PosedScan& keyframe, const PosedScan& current) const;
+  /** A keyframe that may be near a scan, if the pose of the scan has drifted. */
+  struct LoopCandidate
+  {
+    std::size_t keyframe;
+    Pose2 expected_T_keyframe_cur;
+    Drift drift;
+  };
+
+  bool sawEnough(const PosedScan& keyframe, const PosedScan& current) const;
+  std::vector<LoopCandidate> withinDrift(const std::vector<PosedScan>& scans,
+                                         const PosedScan& current, std::size_t startNode) const;
   std::optional<std::size_t> nodeOf(std::size_t scan) const;
+  double addLink(const ReferenceMatch& link, std::size_t from, std::size_t to);
   void optimise(std::vector<PosedScan>& scans, std::size_t firstFree);
 
   ReferencePolicy policy_;

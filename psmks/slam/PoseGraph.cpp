@@ -3,6 +3,11 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
 
 namespace psmks
 {
@@ -10,11 +15,7 @@ namespace
 {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-constexpr int kMostSteps = 10;
-constexpr double kSmallStep = 1e-5;  //!< metres and radians, in the end
-constexpr double kKernelWidth = 3;   //!< standard deviations
-
-/** Residual of a link and its derivatives: T_from^-1 T_to minus what was measured. */
+/** The residual of a link and its derivatives by (x, y, phi) of its two nodes. */
 struct LinkResidual
 {
   LinkResidual(const PoseLink& link, const Pose2& from, const Pose2& to)
@@ -33,7 +34,7 @@ struct LinkResidual
   Eigen::Matrix3d byFrom, byTo;
 };
 
-/** Normal equations of the nodes from firstFree on. */
+/** The normal equations of one Gauss-Newton step for the nodes from firstFree on. */
 class GraphEquations
 {
  public:
@@ -42,7 +43,7 @@ class GraphEquations
         size_(3 * static_cast<Eigen::Index>(nodes - firstFree)),
         gradient_(Eigen::VectorXd::Zero(size_))
   {
-    // Holds nodes without a link: a standard deviation of a kilometre.
+    // A prior with a standard deviation of a kilometre holds nodes that have no link.
     constexpr double kNextToNothing = 1e-6;
     for (Eigen::Index i = 0; i < size_; ++i) entries_.emplace_back(i, i, kNextToNothing);
   }
@@ -91,10 +92,27 @@ class GraphEquations
   Triplets entries_;
 };
 
-/** Cauchy. */
+/** The weight of a link in a Gauss-Newton step that makes the sum of squares a sum of Cauchy costs.
+ */
 double kernelWeight(const PoseLink& link, const Eigen::Vector3d& error)
 {
+  constexpr double kKernelWidth = 3;  // standard deviations
   return 1 / (1 + error.dot(link.information * error) / (kKernelWidth * kKernelWidth));
+}
+
+/** Of every node the nodes that a link leads to, with the length of the link in metres. */
+using Neighbours = std::vector<std::vector<std::pair<std::size_t, double>>>;
+
+Neighbours neighboursOf(const PoseGraph& graph)
+{
+  Neighbours neighbours(graph.poses().size());
+  for (const PoseLink& link : graph.links())
+  {
+    const double length_m = link.T_from_to.translation().norm();
+    neighbours[link.from].emplace_back(link.to, length_m);
+    neighbours[link.to].emplace_back(link.from, length_m);
+  }
+  return neighbours;
 }
 }  // namespace
 
@@ -113,6 +131,8 @@ std::size_t PoseGraph::add(const Pose2& guess)
 
 void PoseGraph::optimise(std::size_t firstFree)
 {
+  constexpr int kMostSteps = 10;
+  constexpr double kSmallStep = 1e-5;  // metres and radians
   firstFree = std::max<std::size_t>(firstFree, 1);
   if (poses_.size() <= firstFree) return;
   bool trustNewLinks = optimisedLinks_ < links_.size();
@@ -121,7 +141,8 @@ void PoseGraph::optimise(std::size_t firstFree)
   optimisedLinks_ = links_.size();
 }
 
-/** @return the largest change of a coordinate */
+/** One Gauss-Newton step.
+ *  @return the largest change of a coordinate */
 double PoseGraph::step(std::size_t firstFree, bool trustNewLinks)
 {
   GraphEquations equations(poses_.size(), firstFree);
@@ -141,5 +162,29 @@ double PoseGraph::step(std::size_t firstFree, bool trustNewLinks)
     pose = {pose.x_m + d.x(), pose.y_m + d.y(), wrapAngle(pose.phi_rad + d.z())};
   }
   return change.cwiseAbs().maxCoeff();
+}
+
+/** Dijkstra's algorithm. */
+std::vector<double> PoseGraph::distances_m(std::size_t from) const
+{
+  const Neighbours neighbours = neighboursOf(*this);
+  std::vector<double> distance_m(neighbours.size(), std::numeric_limits<double>::infinity());
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  distance_m[from] = 0;
+  open.emplace(0, from);
+  while (!open.empty())
+  {
+    const auto [here_m, node] = open.top();
+    open.pop();
+    if (here_m > distance_m[node]) continue;
+    for (const auto& [next, length_m] : neighbours[node])
+    {
+      if (here_m + length_m >= distance_m[next]) continue;
+      distance_m[next] = here_m + length_m;
+      open.emplace(distance_m[next], next);
+    }
+  }
+  return distance_m;
 }
 }  // namespace psmks

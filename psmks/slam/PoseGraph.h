@@ -9,34 +9,53 @@
 
 namespace psmks
 {
-/** A measured pose of one node seen from another. */
+/** A measured pose of one node of a graph, seen from another node. */
 struct PoseLink
 {
   std::size_t from = 0, to = 0;
   Pose2 T_from_to;
-  Eigen::Matrix3d information;  //!< of (x, y, phi) in the axes of `from`
+  Eigen::Matrix3d information;  //!< inverse covariance of (x, y, phi) in the axes of `from`:
+                                //!< 1/m^2, 1/(m rad), 1/rad^2
 };
 
-/** Poses that many measured differences between them fix together, by least squares.
+/** The pose of `to` seen from `from`, minus what the link measured: (x, y, phi) in the axes of
+ * `from`, in metres and radians. */
+Eigen::Vector3d linkError(const PoseLink& link, const Pose2& from, const Pose2& to);
+
+/** Poses that are fixed together by many measured differences between them.
  *
- *     0 ---- 1 ---- 2        node 0 stays where it was put; a link that contradicts the others
- *      \           /         counts less (Cauchy, 3 standard deviations), so that a wrong match
- *       5 --- 4 --3          does not bend the map. A new link counts in full at first: the drift
- *                            that a closed loop takes away contradicts it, too.               */
+ *     0 ---- 1 ---- 2        0 stays where it was put, the others move to where the links between
+ *      \           /         them contradict each other least
+ *       5 --- 4 --3
+ *
+ * The cost is the sum over the links of 9/2 log(1 + s/9), where s is the squared error of a link in
+ * standard deviations (Cauchy, 3 standard deviations): a link that contradicts all others has
+ * little influence, so that one wrong match does not bend the map. Links that are new since the
+ * last optimisation count by their full square in its first step, for the drift that a closed loop
+ * takes away contradicts the new links, too. */
 class PoseGraph
 {
  public:
-  /** @return its number, from 0 on */
+  /** Adds a node at a guess of its pose.
+   *  @return its number; nodes are numbered from 0 on */
   std::size_t add(const Pose2& guess);
 
+  /** Adds a link between two nodes of the graph. */
   void add(const PoseLink& link) { links_.push_back(link); }
 
-  /** Gauss-Newton from the present poses until the steps are small. A node that no link ties to a
-   * fixed one, directly or not, stays where it is.
-   *  @param firstFree nodes before it are fixed; at least node 0 is */
+  /** Moves the nodes to a minimum of the cost, by at most 10 Gauss-Newton steps from where they
+   * are. A node that no link ties to a fixed one, directly or through others, stays where it is.
+   *  @param firstFree the nodes before it are fixed; node 0 is fixed in any case */
   void optimise(std::size_t firstFree = 1);
 
+  /** Length of the shortest path along links from one node to each node, in metres: at most so far
+   * the robot has been driven, or matched, between the two, and with the length grows what their
+   * poses may have drifted apart. Infinite where no path leads. */
+  std::vector<double> distances_m(std::size_t from) const;
+
+  /** One pose per node, by its number. */
   const std::vector<Pose2>& poses() const { return poses_; }
+
   const std::vector<PoseLink>& links() const { return links_; }
 
  private:
@@ -44,9 +63,6 @@ class PoseGraph
 
   std::vector<Pose2> poses_;
   std::vector<PoseLink> links_;
-  std::size_t optimisedLinks_ = 0;  //!< the ones after them are new
+  std::size_t optimisedLinks_ = 0;  //!< the links from here on are new
 };
-
-/** Pose difference of a link's nodes minus what was measured, in the axes of `from`. */
-Eigen::Vector3d linkError(const PoseLink& link, const Pose2& from, const Pose2& to);
 }  // namespace psmks

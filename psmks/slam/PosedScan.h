@@ -5,17 +5,21 @@
 #include <psmks/geometry/UncertainPose.h>
 #include <psmks/match/MatchResult.h>
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace psmks
 {
-/** A match of a scan against the reference that stood then. */
+/** A match of one scan of a trajectory against another one. */
 struct ReferenceMatch
 {
-  std::size_t reference = 0;  //!< index of the reference's frame
-  UncertainPose T_ref_cur;    //!< of the robots, where the result is that of the sensors
-  MatchResult result;
-  double time_s = 0;  //!< wall time of the match, segmentation of the scan included
+  std::size_t reference = 0;  //!< index of the reference scan in the trajectory
+  UncertainPose T_ref_cur;    //!< pose of the robot at the current scan, seen from the robot at the
+                              //!< reference scan
+  MatchResult result;         //!< of the two sensors, as the matcher gave it
+  double time_s = 0;  //!< wall time of the match, with the preparation of those of the two scans
+                      //!< that no earlier match had prepared
 };
 
 /** A scan with its place on the trajectory. The world is the frame of the robot at the first scan.
@@ -25,16 +29,35 @@ struct PosedScan
   Scan scan;
   Pose2 T_robot_sensor;
   UncertainPose T_world_robot;
-  UncertainPose T_last_robot;           //!< motion since the scan before, in the robot's frame then
-  Pose2 T_world_odometry;               //!< where the odometry alone puts the robot
-  std::vector<ReferenceMatch> matches;  //!< in the order they were tried; the last one counts
-  std::vector<ReferenceMatch> links;    //!< to other keyframes of a map, when it joined them
-  bool isReference = false;             //!< now or at some time
-  std::size_t anchor = 0;               //!< index of the scan its pose hangs on, or its own
-  Pose2 T_anchor_robot;
+  UncertainPose T_last_robot;  //!< motion since the scan before, in the frame of the robot at that
+                               //!< scan
+  Pose2 T_world_odometry;      //!< where the odometry alone puts the robot
+  std::vector<ReferenceMatch> matches;  //!< all that were tried to place the scan, in that order
+  std::size_t deciding = 0;             //!< index into `matches` of the one that places the scan
+  std::vector<ReferenceMatch> links;    //!< matches against other keyframes, made when this scan
+                                        //!< became a keyframe itself
+  bool isReference = false;             //!< whether it is, or was, the reference of later scans
+  std::size_t anchor = 0;  //!< index of the reference scan that this one moves with; its own where
+                           //!< there is none
+  Pose2 T_anchor_robot;    //!< pose of the robot, seen from the robot at the anchor
 
-  /** False where odometry alone, or nothing, says where the robot stands. */
-  bool isMatched() const { return !matches.empty() && matches.back().result.usable(); }
+  /** Adds the match that places the scan from now on. */
+  void decideBy(ReferenceMatch match)
+  {
+    matches.push_back(std::move(match));
+    deciding = matches.size() - 1;
+  }
+
+  /** The match that places the scan, or null where none was tried. Where no match succeeded it is
+   * the last one that was tried, whose pose is its guess. */
+  const ReferenceMatch* decidingMatch() const
+  {
+    return matches.empty() ? nullptr : &matches[deciding];
+  }
+
+  /** Whether a match says where the robot stands. Else odometry does, or for the first scan
+   * nothing. */
+  bool isMatched() const { return !matches.empty() && matches[deciding].result.usable(); }
 
   double stamp_s() const { return scan.stamp_s; }
   Pose2 T_world_sensor() const { return T_world_robot.pose * T_robot_sensor; }

@@ -7,69 +7,129 @@ namespace psmks
 {
 namespace
 {
+/** Whether a pose is at least as far away, or turned at least as far, as the limits. */
 bool isBeyond(const Pose2& T_ref_cur, double distance_m, double angle_rad)
 {
   return T_ref_cur.translation().norm() >= distance_m || std::abs(T_ref_cur.phi_rad) >= angle_rad;
+}
+
+void listKeyframeFields(OptionTable& table, ReferenceOptions& o)
+{
+  table.add("keyframe_distance_m", o.keyframeDistance_m, Unit::Metre, 0, 100,
+            "keyframe: a scan that has moved as far replaces the reference, whatever they share");
+  table.add("keyframe_angle_deg", o.keyframeAngle_rad, Unit::Degree, 0, degToRad(180),
+            "keyframe: a scan that has turned as far replaces the reference, whatever they share");
+  table.add("keyframe_min_rays", o.keyframeMinRays, 0, 100000,
+            "keyframe: a scan a trigger away replaces the reference where fewer rays are "
+            "associated");
+  table.add("keyframe_min_score", o.keyframeMinScore, Unit::None, 0, 1,
+            "keyframe: a scan a trigger away replaces the reference where a smaller share of its "
+            "rays is explained");
+}
+
+void listMapFields(OptionTable& table, ReferenceOptions& o)
+{
+  table.add("map_spacing_m", o.mapSpacing_m, Unit::Metre, 0, 100,
+            "map: a scan as far from every keyframe becomes a keyframe");
+  table.add("map_spacing_deg", o.mapSpacing_rad, Unit::Degree, 0, degToRad(180),
+            "map: a scan turned as far from every keyframe becomes a keyframe");
+  table.add(
+      "map_distance_m", o.mapDistance_m, Unit::Metre, 0, 100,
+      "map and keyframe: a keyframe farther away from a scan is neither its reference nor linked "
+      "to it");
+  table.add(
+      "map_angle_deg", o.mapAngle_rad, Unit::Degree, 0, degToRad(180),
+      "map and keyframe: a keyframe turned farther away from a scan is neither its reference nor "
+      "linked to it");
+  table.add(
+      "map_min_overlap", o.mapMinOverlap, Unit::None, 0, 1,
+      "map and keyframe: a keyframe that saw a smaller share of a scan is neither its reference "
+      "nor linked to it");
+  table.add("map_min_score", o.mapMinScore, Unit::None, 0, 1,
+            "map and keyframe: a match that explains a smaller share of rays does not link "
+            "keyframes");
+  table.add("map_drift_share", o.mapDriftShare, Unit::None, 0, 1,
+            "map: the position drifts by at most this share of the way driven; a place visited "
+            "before is searched for within that; 0: no search");
+  table.add("map_drift_per_metre_deg", o.mapDriftPerMetre_rad, Unit::Degree, 0, degToRad(10),
+            "map: the heading drifts by at most this angle for every metre driven");
+}
+
+void listLinkFields(OptionTable& table, ReferenceOptions& o)
+{
+  table.add("keyframe_window", o.keyframeWindow, 0, 1000,
+            "keyframe: a new keyframe is matched against those around it among the last so many");
+  table.add("map_links", o.mapLinks, 0, 1000,
+            "map and keyframe: a new keyframe is matched against at most so many keyframes around "
+            "it, and with a map against as many of earlier visits");
+  table.add("link_sigma_m", o.linkSigma_m, Unit::Metre, 0, 1,
+            "map and keyframe: standard deviation added to the position of every match that links "
+            "keyframes, for errors that its covariance does not count: people, glass, things that "
+            "are not upright");
+  table.add("link_sigma_deg", o.linkSigma_rad, Unit::Degree, 0, degToRad(10),
+            "map and keyframe: standard deviation added to the heading of every such match");
+}
+
+void listRetryFields(OptionTable& table, ReferenceOptions& o)
+{
+  table.add("retry_last_scan", o.retryLastScan,
+            "a scan that fails against the reference is matched against the last matched scan, "
+            "which becomes the reference; false: the paper");
+  table.add("retry_score", o.retryScore, Unit::None, 0, 1,
+            "a scan of which a smaller share of rays is explained is matched against the last "
+            "matched scan, too, and the better match counts; 0: only a scan that fails");
+  table.add("map_retry_score", o.mapRetryScore, Unit::None, 0, 1,
+            "map: takes the place of retry_score, for the last scan becomes one more keyframe");
+  table.add("max_failures", o.maxFailures, 1, 1000000,
+            "after as many failed matches in a row the reference is given up");
 }
 }  // namespace
 
 void listFields(OptionTable& table, ReferenceOptions& o)
 {
   table.beginSection("reference", "Which scan a new scan is matched against.");
-  table.add(
-      "choice", o.choice, {"sequential", "keyframe", "map"},
-      "sequential: the last scan a trigger apart; keyframe: the same for as long as enough of "
-      "it is seen; map: the nearest of all keyframes, which are matched against each other");
+  table.add("choice", o.choice, {"sequential", "keyframe", "map"},
+            "sequential: the last scan a trigger apart; keyframe: the same scan for as long as "
+            "enough of it is seen; map: the nearest of all keyframes, which are linked by matches "
+            "against each other");
   table.add("match_every_scan", o.matchEveryScan,
-            "false: scans nearer to the reference than the trigger go by odometry (the paper)");
-  table.add(
-      "trigger_distance_m", o.triggerDistance_m, Unit::Metre, 0, 100,
-      "moved as far since the reference, a scan replaces it (sequential) or may do so (keyframe)");
-  table.add(
-      "trigger_angle_deg", o.triggerAngle_rad, Unit::Degree, 0, degToRad(180),
-      "turned as far since the reference, a scan replaces it (sequential) or may do so (keyframe)");
-  table.add("keyframe_distance_m", o.keyframeDistance_m, Unit::Metre, 0, 100,
-            "keyframe: moved as far, a scan replaces the reference whatever they share");
-  table.add("keyframe_angle_deg", o.keyframeAngle_rad, Unit::Degree, 0, degToRad(180),
-            "keyframe: turned as far, a scan replaces the reference whatever they share");
-  table.add("keyframe_min_rays", o.keyframeMinRays, 0, 100000,
-            "keyframe: fewer associated rays, a trigger away, and the scan replaces the reference");
-  table.add(
-      "keyframe_min_score", o.keyframeMinScore, Unit::None, 0, 1,
-      "keyframe: a smaller share of rays explained, a trigger away, and the scan replaces it");
-  table.add("map_spacing_m", o.mapSpacing_m, Unit::Metre, 0, 100,
-            "map: a scan as far from every keyframe becomes one");
-  table.add("map_spacing_deg", o.mapSpacing_rad, Unit::Degree, 0, degToRad(180),
-            "map: a scan turned as far from every keyframe becomes one");
-  table.add("map_distance_m", o.mapDistance_m, Unit::Metre, 0, 100,
-            "map: a keyframe farther away is no reference");
-  table.add("map_angle_deg", o.mapAngle_rad, Unit::Degree, 0, degToRad(180),
-            "map: a keyframe turned farther away is no reference");
-  table.add("map_min_overlap", o.mapMinOverlap, Unit::None, 0, 1,
-            "map: a keyframe that saw a smaller share of the scan is no reference");
-  table.add("map_min_score", o.mapMinScore, Unit::None, 0, 1,
-            "map: a match that explains a smaller share of rays does not tie keyframes");
-  table.add(
-      "map_drift_share", o.mapDriftShare, Unit::None, 0, 1,
-      "map: of the way driven since a place was left, by which it may be off: so far away it is "
-      "looked for; 0: only where it is expected");
-  table.add("map_drift_per_metre_deg", o.mapDriftPerMetre_rad, Unit::Degree, 0, degToRad(10),
-            "map: the same for the heading, for every metre");
-  table.add("keyframe_window", o.keyframeWindow, 0, 1000,
-            "keyframe: a new keyframe is matched against those around it among the last so many");
-  table.add("map_links", o.mapLinks, 0, 1000,
-            "map: a new keyframe is matched against as many of those around it");
-  table.add(
-      "retry_last_scan", o.retryLastScan,
-      "a scan that fails against the reference is matched against the last matched scan, which "
-      "becomes the reference; false: the paper");
-  table.add("retry_score", o.retryScore, Unit::None, 0, 1,
-            "the same for a match that explains a smaller share of rays, where the other explains "
-            "more; 0: failures only");
-  table.add("map_retry_score", o.mapRetryScore, Unit::None, 0, 1,
-            "map: the same, where the last scan becomes one more keyframe");
-  table.add("max_failures", o.maxFailures, 1, 1000000,
-            "failed matches in a row after which the reference is given up");
+            "false: a scan nearer to the reference than the trigger is placed by odometry (the "
+            "paper)");
+  table.add("trigger_distance_m", o.triggerDistance_m, Unit::Metre, 0, 100,
+            "a scan that has moved as far since the reference replaces it (sequential) or may "
+            "replace it (keyframe)");
+  table.add("trigger_angle_deg", o.triggerAngle_rad, Unit::Degree, 0, degToRad(180),
+            "a scan that has turned as far since the reference replaces it (sequential) or may "
+            "replace it (keyframe)");
+  listKeyframeFields(table, o);
+  listMapFields(table, o);
+  listLinkFields(table, o);
+  listRetryFields(table, o);
+}
+
+bool ReferencePolicy::needsMatch(const Pose2& T_ref_cur) const
+{
+  return options_.matchEveryScan || isTriggered(T_ref_cur);
+}
+
+bool ReferencePolicy::needsRetry(const MatchResult& match) const
+{
+  const double enough = usesMap() ? options_.mapRetryScore : options_.retryScore;
+  return options_.retryLastScan && (!match.usable() || match.score < enough);
+}
+
+bool ReferencePolicy::isBetter(const MatchResult& toLast, const MatchResult& toReference) const
+{
+  constexpr double kClearly = 0.05;  // of the rays
+  return toLast.status == MatchStatus::Converged && toLast.score > toReference.score + kClearly;
+}
+
+bool ReferencePolicy::replacesReference(const MatchResult& match, const Pose2& T_ref_cur,
+                                        int failuresInARow) const
+{
+  if (!match.usable()) return failuresInARow >= options_.maxFailures;
+  return options_.choice == ReferenceChoice::Sequential ? isTriggered(T_ref_cur)
+                                                        : isKeyframeLeft(match, T_ref_cur);
 }
 
 bool ReferencePolicy::isTriggered(const Pose2& T_ref_cur) const
@@ -85,7 +145,7 @@ bool ReferencePolicy::isKeyframeLeft(const MatchResult& match, const Pose2& T_re
          (littleShared && isTriggered(T_ref_cur));
 }
 
-bool ReferencePolicy::isCandidate(const Pose2& T_keyframe_cur) const
+bool ReferencePolicy::isWithinReach(const Pose2& T_keyframe_cur) const
 {
   return !isBeyond(T_keyframe_cur, options_.mapDistance_m, options_.mapAngle_rad);
 }
@@ -96,10 +156,9 @@ double ReferencePolicy::normalizedDistance(const Pose2& T_keyframe_cur) const
          std::abs(T_keyframe_cur.phi_rad) / options_.mapAngle_rad;
 }
 
-std::size_t ReferencePolicy::firstTied(std::size_t keyframes) const
+bool ReferencePolicy::isCovered(const Pose2& T_keyframe_cur) const
 {
-  const auto window = static_cast<std::size_t>(options_.keyframeWindow);
-  return usesMap() || keyframes < window ? 0 : keyframes - window;
+  return !isBeyond(T_keyframe_cur, options_.mapSpacing_m, options_.mapSpacing_rad);
 }
 
 Drift ReferencePolicy::driftAfter(double way_m) const
@@ -109,41 +168,26 @@ Drift ReferencePolicy::driftAfter(double way_m) const
 
 bool ReferencePolicy::isLoopCandidate(const Pose2& T_keyframe_cur, const Drift& drift) const
 {
-  constexpr double kKnown_m = 0.3;  // what overlap() forgives
-  constexpr double kLost_m = 6;     // a search has to end somewhere
+  constexpr double kKnown_m = 0.3;  // the tolerance of overlap(): no search is needed
+  constexpr double kLost_m = 6;     // the time of a search grows with the square of the drift
   const double reach_m = options_.mapSpacing_m + drift.displacement_m;
   const double reach_rad = options_.mapSpacing_rad + drift.rotation_rad;
   return drift.displacement_m > kKnown_m && drift.displacement_m < kLost_m &&
          !isBeyond(T_keyframe_cur, reach_m, reach_rad);
 }
 
-bool ReferencePolicy::isCovered(const Pose2& T_keyframe_cur) const
+std::size_t ReferencePolicy::firstLinkable(std::size_t keyframes) const
 {
-  return !isBeyond(T_keyframe_cur, options_.mapSpacing_m, options_.mapSpacing_rad);
+  const auto window = static_cast<std::size_t>(options_.keyframeWindow);
+  return usesMap() || keyframes < window ? 0 : keyframes - window;
 }
 
-bool ReferencePolicy::isMatched(const Pose2& T_ref_cur) const
+Eigen::Matrix3d ReferencePolicy::linkCovariance(const Eigen::Matrix3d& matchCovariance) const
 {
-  return options_.matchEveryScan || isTriggered(T_ref_cur);
-}
-
-bool ReferencePolicy::isRetried(const MatchResult& match) const
-{
-  const double enough = usesMap() ? options_.mapRetryScore : options_.retryScore;
-  return options_.retryLastScan && (!match.usable() || match.score < enough);
-}
-
-bool ReferencePolicy::isBetter(const MatchResult& toLast, const MatchResult& toReference) const
-{
-  constexpr double kClearly = 0.05;  // more of the rays
-  return toLast.status == MatchStatus::Converged && toLast.score > toReference.score + kClearly;
-}
-
-bool ReferencePolicy::isReplaced(const MatchResult& match, const Pose2& T_ref_cur,
-                                 int failuresInARow) const
-{
-  if (!match.usable()) return failuresInARow >= options_.maxFailures;
-  return options_.choice == ReferenceChoice::Sequential ? isTriggered(T_ref_cur)
-                                                        : isKeyframeLeft(match, T_ref_cur);
+  const double sigma_m = options_.linkSigma_m, sigma_rad = options_.linkSigma_rad;
+  Eigen::Matrix3d covariance = matchCovariance;
+  covariance.diagonal() +=
+      Eigen::Vector3d(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad);
+  return covariance;
 }
 }  // namespace psmks

@@ -3,7 +3,11 @@
 
 #include <psmks/base/OptionTable.h>
 #include <psmks/geometry/Angle.h>
+#include <psmks/geometry/Pose2.h>
 #include <psmks/match/MatchResult.h>
+
+#include <Eigen/Core>
+#include <cstddef>
 
 namespace psmks
 {
@@ -12,17 +16,20 @@ enum class ReferenceChoice
 {
   Sequential,  //!< the last matched scan from which the robot had moved or turned far enough
                //!< (paper)
-  Keyframe,    //!< the same scan for as long as enough of it is still seen
-  Map          //!< the nearest of all keyframes, which are matched against each other
+  Keyframe,    //!< the same scan for as long as enough of it is still seen; keyframes are linked to
+               //!< the last few
+  Map          //!< the nearest of all keyframes, which are linked to each other
 };
 
-/** How far a pose may be off. */
+/** By how much a pose may be wrong. */
 struct Drift
 {
   double displacement_m = 0;
   double rotation_rad = 0;
 };
 
+/** When scans are matched, what they are matched against, and what links keyframes. The section
+ * `[reference]` of the option files describes each field; see listFields(). */
 struct ReferenceOptions
 {
   ReferenceChoice choice = ReferenceChoice::Map;
@@ -31,91 +38,111 @@ struct ReferenceOptions
   double triggerAngle_rad = degToRad(20);  //!< sequential, and the least of keyframe
   double keyframeDistance_m = 2.0;
   double keyframeAngle_rad = degToRad(40);
-  int keyframeMinRays = 30;        //!< associated
-  double keyframeMinScore = 0.50;  //!< MatchResult::score
+  int keyframeMinRays = 30;        //!< compared with MatchResult::associations
+  double keyframeMinScore = 0.50;  //!< compared with MatchResult::score
   double mapSpacing_m = 1.0;
   double mapSpacing_rad = degToRad(30);
   double mapDistance_m = 4.0;
   double mapAngle_rad = degToRad(60);
-  double mapMinOverlap = 0.5;   //!< see overlap()
-  double mapMinScore = 0.8;     //!< MatchResult::score of a match that ties keyframes
-  double mapDriftShare = 0.03;  //!< of the way driven, by which a place may be off
+  double mapMinOverlap = 0.5;   //!< compared with overlap()
+  double mapMinScore = 0.8;     //!< MatchResult::score of a match that links keyframes
+  double mapDriftShare = 0.03;  //!< of the way driven, by which a position may be off
   double mapDriftPerMetre_rad = degToRad(0.1);
-  int keyframeWindow = 20;      //!< a new keyframe is tied to one of the last so many
-  int mapLinks = 6;             //!< matches that tie a new keyframe to those around it
-  bool retryLastScan = true;    //!< after a failure, against the last scan that matched
+  int keyframeWindow = 20;               //!< a new keyframe is linked to some of the last so many
+  int mapLinks = 6;                      //!< matches that link a new keyframe to those around it
+  double linkSigma_m = 0.005;            //!< added to each link, see linkCovariance()
+  double linkSigma_rad = degToRad(0.1);  //!< added to each link, see linkCovariance()
+  bool retryLastScan = true;    //!< after a failure, match against the last scan that matched
   double retryScore = 0.94;     //!< the same after a match with a lower MatchResult::score
   double mapRetryScore = 0.85;  //!< the same with a map, where it makes one more keyframe
   int maxFailures = 5;          //!< in a row, then the reference is given up
 };
 
+/** Adds the section `[reference]` with every field of the options. */
 void listFields(OptionTable& table, ReferenceOptions& options);
 
-/** Decides when a scan is matched, and when it takes the place of the reference.
+/** Decides when a scan is matched, which scans may serve as its reference, and when it becomes the
+ * reference itself. It decides by the options and the arguments alone, and keeps no state.
  *
- * Sequential, with every scan matched (o) or, as in the paper, only those that replace it (x):
+ * Sequential, with every scan matched (o) or, as in the paper, only those that replace the
+ * reference (x):
  *
  *     reference ---o----o----x = new reference ---o---- ...
  *               <-- trigger ->
  *
  * A scan whose match fails may be matched once more against the scan before, which shares more with
- * it and takes the place of the reference. Apart from that a failure replaces nothing (the paper):
- * the reference waits for the next scan, until max_failures of them in a row have failed. */
+ * it and becomes the reference. Apart from that a failure replaces nothing (paper): the reference
+ * waits for the next scan, until as many matches in a row have failed as the option `max_failures`
+ * says. */
 class ReferencePolicy
 {
  public:
   explicit ReferencePolicy(const ReferenceOptions& options) : options_(options) {}
 
-  /** Whether a scan at this guessed pose, seen from the reference, is matched at all. */
-  bool isMatched(const Pose2& T_ref_cur) const;
+  bool usesMap() const { return options_.choice == ReferenceChoice::Map; }
 
-  /** Whether a scan that was matched like this is matched against the scan before, too. */
-  bool isRetried(const MatchResult& match) const;
+  /** Whether matches link the references to each other: keyframe and map. */
+  bool linksReferences() const { return options_.choice != ReferenceChoice::Sequential; }
 
-  /** Whether a match against the scan before takes the place of a usable one against the reference:
-   * it adds one more error to those on the way to the reference. */
+  /** Whether a scan that is expected at this pose is matched at all, or placed by odometry. */
+  bool needsMatch(const Pose2& T_ref_cur) const;
+
+  /** Whether a scan that was matched like this is matched in other ways, too: the match failed or
+   * explains too little of the scan, and the options allow another try. */
+  bool needsRetry(const MatchResult& match) const;
+
+  /** Whether a match against the scan before is so much better than a usable one against the
+   * reference that it decides. It has to be clearly better, for it adds one more error to those on
+   * the way to the reference: converged, and with 5 % more of the rays explained. */
   bool isBetter(const MatchResult& toLast, const MatchResult& toReference) const;
 
-  /** Map: whether a keyframe at this guessed pose may serve as the reference of a scan. */
-  bool isCandidate(const Pose2& T_keyframe_cur) const;
+  /** Without a map, or where the match failed: whether the scan becomes the reference.
+   *  @param match the one that decides where the scan is
+   *  @param T_ref_cur the pose of the scan
+   *  @param failuresInARow scans in a row that failed against this reference, this one included */
+  bool replacesReference(const MatchResult& match, const Pose2& T_ref_cur,
+                         int failuresInARow) const;
 
-  /** Map: how far a candidate is, 0 = at the same place, 2 = at the limits of place and heading. */
+  /** Whether a keyframe is near enough to a scan, in position and heading, to be its reference. */
+  bool isWithinReach(const Pose2& T_keyframe_cur) const;
+
+  /** How far a keyframe is: distance and angle in shares of their limits in isWithinReach(), added.
+   * 0 at the same pose, less than 2 within reach. */
   double normalizedDistance(const Pose2& T_keyframe_cur) const;
 
-  /** Map: whether a match is good enough to tie two keyframes: nothing forces it to be used. */
+  /** Whether a keyframe saw enough of a scan to be its reference; see overlap(). */
+  bool overlapsEnough(double overlap) const { return overlap >= options_.mapMinOverlap; }
+
+  /** Whether a keyframe as near as this makes another one at the pose of the scan unnecessary. */
+  bool isCovered(const Pose2& T_keyframe_cur) const;
+
+  /** By how much a pose may be wrong after the robot has driven so far. */
+  Drift driftAfter(double way_m) const;
+
+  /** Whether the map searches for a keyframe around a scan, since with that much drift it could be
+   * within the spacing of keyframes. Not where the drift is so small that overlap() bears it, and
+   * not where it is so large that the search would take too long (6 m). */
+  bool isLoopCandidate(const Pose2& T_keyframe_cur, const Drift& drift) const;
+
+  /** How many matches link a new keyframe to others at most, besides the one that placed it. The
+   * same number again is allowed for loop candidates. */
+  std::size_t maxLinks() const { return static_cast<std::size_t>(options_.mapLinks); }
+
+  /** The first of so many keyframes that a new one may be linked to. With a map that is the very
+   * first, else the first of the last few. */
+  std::size_t firstLinkable(std::size_t keyframes) const;
+
+  /** Whether a match is good enough to link two keyframes. Nothing forces its use, so it has to
+   * explain more of the scan than a match that places a scan. */
   bool isLink(const MatchResult& match) const
   {
     return match.usable() && match.score >= options_.mapMinScore;
   }
 
-  /** Map: how many matches tie a new keyframe to others besides the one that made it. */
-  std::size_t maxLinks() const { return static_cast<std::size_t>(options_.mapLinks); }
-
-  /** Map: whether a keyframe makes another one at this pose of a scan unnecessary. */
-  bool isCovered(const Pose2& T_keyframe_cur) const;
-
-  /** Whether so much of a scan is seen by a keyframe that it can serve as the reference. */
-  bool isEnough(double overlap) const { return overlap >= options_.mapMinOverlap; }
-
-  bool usesMap() const { return options_.choice == ReferenceChoice::Map; }
-
-  /** Keyframe and map: matches tie every reference to others. */
-  bool tiesReferences() const { return options_.choice != ReferenceChoice::Sequential; }
-
-  /** Of so many keyframes the first one that a new one may be tied to: all of a map, else the last
-   * few. */
-  std::size_t firstTied(std::size_t keyframes) const;
-
-  /** Map: how far a place may be off after such a way. */
-  Drift driftAfter(double way_m) const;
-
-  /** Map: whether a keyframe may be a candidate for a scan, its place being known so badly that it
-   * has to be searched for. */
-  bool isLoopCandidate(const Pose2& T_keyframe_cur, const Drift& drift) const;
-
-  /** Whether a scan becomes the reference after its match.
-   *  @param failuresInARow matches that failed against this reference, this one included */
-  bool isReplaced(const MatchResult& match, const Pose2& T_ref_cur, int failuresInARow) const;
+  /** The covariance that a link counts with: that of its match, plus the variances of the options
+   * `link_sigma_m` and `link_sigma_deg`. The covariance of a match counts the noise of the ranges
+   * alone. People, glass, and things that are not upright move a match by more. */
+  Eigen::Matrix3d linkCovariance(const Eigen::Matrix3d& matchCovariance) const;
 
  private:
   bool isTriggered(const Pose2& T_ref_cur) const;

@@ -6,6 +6,7 @@
 #include <psmks/motion/Sweep.h>
 #include <psmks/slam/KeyframeMap.h>
 #include <psmks/slam/PosedScan.h>
+#include <psmks/slam/PosedScanMatcher.h>
 #include <psmks/slam/ReferencePolicy.h>
 
 #include <memory>
@@ -16,58 +17,75 @@ namespace psmks
 {
 /** Builds the trajectory of a robot from its scans and odometry: every scan gets a pose.
  *
- * A scan is matched against the reference that ReferencePolicy keeps, from the last known pose
- * moved on by the odometry, with the covariance of both as a prior. Where the match fails, that
- * pose is what the scan gets. Where a scan comes without odometry, the last motion is assumed once
- * more. With a map, the reference is chosen anew for every scan among all that were references.
+ *     world --T--> robot at the reference --T_ref_cur--> last robot --odometry--> robot
  *
- *     world --T--> reference robot --T_ref_cur--> last robot --odometry--> robot */
+ * Each scan passes these steps:
+ *
+ * 1. Predict: the motion since the scan before is that of the odometry, or without odometry the
+ *    last motion once more. It straightens the sweep of the scan.
+ * 2. Choose the reference: with a map the nearest keyframe that saw enough of the scan, else the
+ *    one that stands.
+ * 3. Match against the reference, with the prediction and its covariance as a prior. A match that
+ *    fails or explains little is tried again against the scan before, and after that with a prior
+ *    as wide as if there was no odometry.
+ * 4. Place: the match places the scan, or where all failed the prediction.
+ * 5. Replace the reference by the scan, if ReferencePolicy says so. A keyframe is matched against
+ *    the keyframes around it, and the matches link it into a graph of poses (KeyframeMap).
+ *
+ * The scans are those of one scanner: what earlier ones have shown of its noise counts for later
+ * ones, see PreparedScans. */
 class TrajectoryBuilder
 {
  public:
+  /** @param matcher not null; any method, see makePairMatcher() */
   TrajectoryBuilder(std::unique_ptr<PairMatcher> matcher, const ReferenceOptions& reference,
                     const OdometryOptions& odometry);
 
-  /** @param scan with its stamp, in the frame of a sensor that sits at T_robot_sensor
-   *  @param odometry motion of the robot since the scan before, in the robot's frame at that scan
-   */
+  /** Gives a scan its pose.
+   *  @param scan with its stamp, in the frame of a sensor that is mounted at T_robot_sensor
+   *  @param odometry motion of the robot since the scan before, in the frame of the robot at that
+   * scan; not looked at for the first scan
+   *  @return the scan with its pose, as it stands until the next call. The pose of the first scan
+   * is the identity. */
   const PosedScan& add(Scan scan, const Pose2& T_robot_sensor,
                        const std::optional<Pose2>& odometry);
 
-  /** Moves every scan to where the reference it hangs on has come to be since: with a map, loops
-   *  that closed later move what was driven before. */
+  /** Moves the keyframes to where all links between them say together, and every other scan with
+   * its reference. A loop that closes late moves what was driven before: call this after the last
+   * scan. Changes nothing where no links were made, as with ReferenceChoice::Sequential. */
   void optimise();
 
   /** All scans so far, in the order they came. */
   const std::vector<PosedScan>& scans() const { return scans_; }
 
  private:
-  void place(PosedScan& current, const std::optional<Pose2>& odometry);
-  void straighten(PosedScan& current, const std::optional<Pose2>& odometry);
-  UncertainPose matched(PosedScan& current, const UncertainPose& motion,
-                        const UncertainPose& guess);
-  void retry(PosedScan& current, const UncertainPose& motion);
-  void matchToLast(PosedScan& current, const UncertainPose& motion);
-  void matchWithInflatedPrior(PosedScan& current, const UncertainPose& motion);
-  UncertainPose measuredMotion(const std::optional<Pose2>& odometry) const;
-  ReferenceMatch match(const PosedScan& current, std::size_t reference,
-                       const UncertainPose& T_ref_cur, SearchScope scope = SearchScope::Full);
-  bool isNewReference() const;
-  void makeReference(std::size_t index);
-  void returnTo(std::size_t keyframe);
-  void joinMap(std::size_t index);
-  std::vector<ReferenceMatch> matchesAround(const PosedScan& current);
-  std::vector<ReferenceMatch> consistentLinks(const PosedScan& current,
-                                              const std::vector<ReferenceMatch>& found) const;
+  std::size_t currentIndex() const { return scans_.size() - 1; }
+  PosedScan& current() { return scans_.back(); }
+  const PosedScan& current() const { return scans_.back(); }
+  const PosedScan& previous() const { return scans_[scans_.size() - 2]; }
 
-  std::unique_ptr<PairMatcher> matcher_;
+  UncertainPose motionBy(const std::optional<Pose2>& odometry) const;
+  void straighten(Scan& scan, const UncertainPose& motion);
+  void append(Scan scan, const Pose2& T_robot_sensor, const std::optional<Pose2>& odometry,
+              const UncertainPose& motion);
+  void chooseKeyframe();
+  UncertainPose matched(const UncertainPose& motion, const UncertainPose& T_ref_predicted);
+  void retryWithPrevious(const UncertainPose& motion);
+  void retryWithWidePrior(const UncertainPose& motion);
+  void place(const UncertainPose& T_ref_cur);
+  bool becomesReference() const;
+  void makeReference(std::size_t index);
+  void addToMap(std::size_t index);
+  std::vector<ReferenceMatch> matchesAround(std::size_t index);
+
   ReferencePolicy policy_;
-  KeyframeMap map_{policy_};
   OdometryOptions odometryOptions_;
+  PosedScanMatcher matcher_;
+  KeyframeMap map_{policy_};
   TurnRate turnRate_;
   std::vector<PosedScan> scans_;
   std::size_t reference_ = 0;
-  UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the reference's
-  int failuresInARow_ = 0;
+  UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the robot at the reference
+  int failuresInARow_ = 0;    //!< of the scans since the reference was made one
 };
 }  // namespace psmks

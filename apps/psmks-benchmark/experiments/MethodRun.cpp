@@ -61,7 +61,7 @@ std::vector<FloorStep> floorSteps(const std::vector<PosedScan>& scans)
   std::vector<FloorStep> steps(scans.size());
   for (std::size_t s = 0; s < scans.size(); ++s)
   {
-    if (scans[s].isMatched()) steps[s].reference = scans[s].matches.back().reference;
+    if (scans[s].isMatched()) steps[s].reference = scans[s].decidingMatch()->reference;
     steps[s].joinsMap = scans[s].isReference;
     for (const auto& link : scans[s].links) steps[s].links.push_back(link.reference);
   }

@@ -24,7 +24,7 @@ PairRecord recordOf(const std::vector<PosedScan>& path, const Ends& ends, const 
   record.id = static_cast<int>(ends.to);
   record.T_ref_cur_true = betweenSensors(T_from_to);
   record.T_ref_cur_guess = betweenSensors(from.T_world_odometry.inverse() * to.T_world_odometry);
-  if (!to.matches.empty()) record.result = to.matches.back().result;
+  if (const ReferenceMatch* match = to.decidingMatch()) record.result = match->result;
   record.result.T_ref_cur =
       betweenSensors(from.T_world_robot.pose.inverse() * to.T_world_robot.pose);
   return record;

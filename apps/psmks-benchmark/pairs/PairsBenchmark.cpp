@@ -25,6 +25,7 @@ class GuessRuns
     for (const auto& name : options.matchers)
     {
       matchers_.push_back(makePairMatcher(name, options.matcherOptions));
+      scanners_.emplace_back();
       runs_.push_back({name, guesses.name, {}});
     }
   }
@@ -68,16 +69,22 @@ class GuessRuns
   MatchResult matchRaw(std::size_t m, std::size_t p)
   {
     const ScanPair& pair = pairs_[p];
-    if (!ofOneScanner_) return matchers_[m]->match(pair.reference, pair.current, guesses_[p]);
-    matchers_[m]->setReference(pair.reference);
-    return matchers_[m]->matchToReference(pair.current, guesses_[p]);
+    PairMatcher& matcher = *matchers_[m];
+    if (!ofOneScanner_) return matcher.match(pair.reference, pair.current, guesses_[p]);
+    ScannerNoise& scanner = scanners_[m];
+    const auto reference = matcher.prepare(pair.reference, scanner);
+    const auto current = matcher.prepare(pair.current, scanner);
+    scanner.add(current->showsMoreNoise());
+    return matcher.matchPrepared(*reference, *current, guesses_[p]);
   }
 
   double sequentialTime_s(std::size_t m, std::size_t p)
   {
-    matchers_[m]->setReference(pairs_[p].reference);
+    PairMatcher& matcher = *matchers_[m];
+    const auto reference = matcher.prepare(pairs_[p].reference, scanners_[m]);
     Stopwatch stopwatch;
-    matchers_[m]->matchToReference(pairs_[p].current, guesses_[p]);
+    const auto current = matcher.prepare(pairs_[p].current, scanners_[m]);
+    matcher.matchPrepared(*reference, *current, guesses_[p]);
     return stopwatch.lap_s();
   }
 
@@ -85,6 +92,7 @@ class GuessRuns
   const std::vector<Guess>& guesses_;
   bool sequential_, ofOneScanner_;
   std::vector<std::unique_ptr<PairMatcher>> matchers_;
+  std::vector<ScannerNoise> scanners_;  //!< what each matcher has learnt, where the scanner is one
   std::vector<PairsRun> runs_;
 };
 }  // namespace

@@ -18,8 +18,8 @@ struct PairsBenchmarkOptions
   MatcherOptions matcherOptions;
   int repeats = 1;
   bool sequential = false;    //!< also time matches against a reference that is prepared beforehand
-  bool ofOneScanner = false;  //!< matched one after the other as those of a log, so that a matcher
-                              //!< may learn of the scanner's noise
+  bool ofOneScanner = false;  //!< the scans are those of one scanner, as in a log: what the pairs
+                              //!< before have shown of its noise counts for the next
 };
 
 /** Every matcher on every pair from every kind of guess.

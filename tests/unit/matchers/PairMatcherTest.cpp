@@ -1,95 +1,53 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/matchers/PairMatcherRegistration.h>
-#include <tests/support/PoseMatcher.h>
-#include <tests/support/Scenes.h>
 #include <tests/support/ThrownText.h>
+#include <tests/unit/matchers/PairMatcherContract.h>
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace psmks
 {
+INSTANTIATE_TEST_SUITE_P(WithoutMrpt, PairMatcherContract, testing::ValuesIn(pairMatcherNames()),
+                         matcherTestName);
+
 namespace
 {
-const Pose2 T_ref_cur{0.15, -0.1, degToRad(4)};
-const Pose2 kGuess{0.12, -0.08, degToRad(3)};
-
-Scan roomScan(const Pose2& pose)
-{
-  return castScan(officeRoom(), pose, BeamGrid::centered(degToRad(270), 541));
-}
-
-TEST(PairMatcher, EveryMatcherOfTheRegistryFindsASmallMotionInARoom)
-{
-  for (const auto& name : pairMatcherNames())
-  {
-    if (name == "guess") continue;
-    const auto matcher = makePairMatcher(name);
-    EXPECT_EQ(matcher->name(), name);
-    const MatchResult result = matcher->match(roomScan({}), roomScan(T_ref_cur), {kGuess, {}});
-    EXPECT_TRUE(result.usable()) << name;
-    EXPECT_TRUE(isNearly(result.T_ref_cur, T_ref_cur, 0.02, degToRad(0.7))) << name;
-    EXPECT_GT(result.covariance.determinant(), 0) << name;
-  }
-}
-
-/** How far a matcher ends from the true position in the room, on average over steps to all sides,
- * the guess being that the robot stood still. */
-double meanError_m(const std::string& name)
-{
-  constexpr int kSteps = 8;
-  const auto matcher = makePairMatcher(name);
-  double sum_m = 0;
-  for (int step = 0; step < kSteps; ++step)
-  {
-    const double direction_rad = 2 * kPi * step / kSteps;
-    const Pose2 truth{0.2 * std::cos(direction_rad), 0.2 * std::sin(direction_rad), degToRad(5)};
-    const Pose2 found = matcher->match(roomScan({}), roomScan(truth), {}).T_ref_cur;
-    sum_m += (found.translation() - truth.translation()).norm();
-  }
-  return sum_m / kSteps;
-}
-
-TEST(PairMatcher, WhatIsTunedForAccuracyIsMoreAccurateThanTheDefault)
-{
-  EXPECT_LT(meanError_m("icp-classic-tuned"), meanError_m("icp-classic"));
-  EXPECT_LT(meanError_m("icp-lm-tuned"), meanError_m("icp-lm"));
-}
-
-TEST(PairMatcher, AReferenceThatWasSetIsMatchedAsOneThatIsGiven)
-{
-  for (const auto& name : pairMatcherNames())
-  {
-    const auto matcher = makePairMatcher(name);
-    const Scan reference = roomScan({}), current = roomScan(T_ref_cur);
-    const MatchResult direct = matcher->match(reference, current, {kGuess, {}});
-    matcher->setReference(reference);
-    const MatchResult kept = matcher->matchToReference(current, {kGuess, {}});
-    EXPECT_TRUE(isNearly(kept.T_ref_cur, direct.T_ref_cur, 1e-12, 1e-12)) << name;
-    EXPECT_EQ(kept.status, direct.status) << name;
-  }
-}
-
-TEST(PairMatcher, ScansWithoutReturnsAreAFailureThatKeepsTheGuess)
-{
-  for (const auto& name : pairMatcherNames())
-  {
-    if (name == "guess") continue;
-    const MatchResult result = makePairMatcher(name)->match(Scan(), roomScan({}), {kGuess, {}});
-    EXPECT_EQ(result.status, MatchStatus::InvalidInput) << name;
-    EXPECT_TRUE(isNearly(result.T_ref_cur, kGuess, 0, 0)) << name;
-    EXPECT_GT(result.covariance.determinant(), 0) << name;
-  }
-}
-
 TEST(PairMatcher, AnUnknownNameIsRefusedWithTheKnownOnes)
 {
   const std::string text = test::thrownText<OptionError>([] { makePairMatcher("csm"); });
   EXPECT_NE(text.find("'csm'"), std::string::npos);
-  EXPECT_NE(text.find("icp-classic"), std::string::npos);
+  EXPECT_NE(text.find("psmks-paper"), std::string::npos);
+}
+
+TEST(PairMatcher, AMatchThatFailedKeepsTheGuessAndItsCovariance)
+{
+  const Eigen::Matrix3d covariance = Eigen::Vector3d(0.01, 0.02, 0.03).asDiagonal();
+  const MatchResult measured = keptGuess(MatchStatus::NoImprovement, {{1, 2, 0.5}, covariance});
+  EXPECT_EQ(measured.status, MatchStatus::NoImprovement);
+  EXPECT_TRUE(isNearly(measured.T_ref_cur, {1, 2, 0.5}, 0, 0));
+  EXPECT_EQ(measured.covariance, covariance);
+  EXPECT_GT(keptGuess(MatchStatus::NoImprovement, {}).covariance.determinant(), 0);
+}
+
+// A room with noise of 3 cm, of which the scan says nothing. Whether it counts as noise of the
+// scanner is the caller's to say.
+TEST(PsmksPairMatcher, TheCallerSaysWhatIsKnownOfTheScannersNoise)
+{
+  std::mt19937 random(7);
+  Scan noisy = castScan(squareRoom(), {}, BeamGrid::centered(2 * kPi, 720), 30, 0.03, random);
+  noisy.rangeSigma_m = 0;
+  const auto matcher = makePairMatcher("psmks");
+  ScannerNoise quiet;
+  for (int scans = 0; scans < 10; ++scans) quiet.add(false);
+  const auto believed = matcher->prepare(noisy), doubted = matcher->prepare(noisy, quiet);
+  EXPECT_TRUE(believed->showsMoreNoise());
+  EXPECT_TRUE(doubted->showsMoreNoise());
+  EXPECT_FALSE(quiet.isBelieved()) << "preparing a scan counts it nowhere";
+  const MatchResult one = matcher->matchPrepared(*believed, *believed, {});
+  const MatchResult other = matcher->matchPrepared(*doubted, *doubted, {});
+  EXPECT_NE(one.covariance, other.covariance);
 }
 
 bool isKnown(const std::string& name)

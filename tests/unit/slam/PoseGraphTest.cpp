@@ -67,6 +67,11 @@ double costOf(const std::vector<PoseLink>& links, const std::vector<Pose2>& pose
   return cost;
 }
 
+void addLength(PoseGraph& graph, std::size_t from, std::size_t to, double length_m)
+{
+  graph.add({from, to, {length_m, 0, 0}, information(0.01)});
+}
+
 double& coordinate(Pose2& pose, int k)
 {
   return k == 0 ? pose.x_m : k == 1 ? pose.y_m : pose.phi_rad;
@@ -205,5 +210,24 @@ TEST(PoseGraph, FewerThanTwoNodesAreLeftAlone)
   EXPECT_EQ(graph.add(Pose2{4, 5, 1}), 1U);
   graph.optimise();
   EXPECT_TRUE(isNearly(graph.poses()[1], {4, 5, 1}, 0, 0));
+}
+
+//     0 --2-- 1 --2-- 2      the way to 3 is 3 over the short cut, not 6 round the corner;
+//      \              |      nothing leads to 4
+//       '----3---- 3 -2'   4
+TEST(PoseGraph, DistancesAreThoseOfTheShortestWayEitherWayAlongLinks)
+{
+  PoseGraph graph;
+  for (int node = 0; node < 5; ++node) graph.add(Pose2());
+  addLength(graph, 0, 1, 2);
+  addLength(graph, 1, 2, 2);
+  addLength(graph, 2, 3, 2);
+  addLength(graph, 3, 0, 3);
+  const std::vector<double> fromFirst_m = graph.distances_m(0);
+  ASSERT_EQ(fromFirst_m.size(), 5U);
+  for (const auto& [node, expected_m] : {std::pair{0, 0.0}, {1, 2.0}, {2, 4.0}, {3, 3.0}})
+    EXPECT_NEAR(fromFirst_m[static_cast<std::size_t>(node)], expected_m, 1e-12);
+  EXPECT_TRUE(std::isinf(fromFirst_m[4]));
+  EXPECT_NEAR(graph.distances_m(3)[2], 2, 1e-12);
 }
 }  // namespace psmks

@@ -24,18 +24,18 @@ TEST(ReferencePolicy, SequentialReplacesTheReferenceOnceMovedOrTurnedFarEnough)
   ReferenceOptions options;
   options.choice = ReferenceChoice::Sequential;
   const ReferencePolicy policy(options);
-  EXPECT_FALSE(policy.isReplaced(kGood, kNear, 0));
-  EXPECT_TRUE(policy.isReplaced(kGood, kFar, 0));
-  EXPECT_TRUE(policy.isReplaced(kGood, kTurned, 0));
+  EXPECT_FALSE(policy.replacesReference(kGood, kNear, 0));
+  EXPECT_TRUE(policy.replacesReference(kGood, kFar, 0));
+  EXPECT_TRUE(policy.replacesReference(kGood, kTurned, 0));
 }
 
 TEST(ReferencePolicy, OnlyThePaperLeavesScansNearTheReferenceUnmatched)
 {
   ReferenceOptions options;
-  EXPECT_TRUE(ReferencePolicy(options).isMatched(kNear));
+  EXPECT_TRUE(ReferencePolicy(options).needsMatch(kNear));
   options.matchEveryScan = false;
-  EXPECT_FALSE(ReferencePolicy(options).isMatched(kNear));
-  EXPECT_TRUE(ReferencePolicy(options).isMatched(kFar));
+  EXPECT_FALSE(ReferencePolicy(options).needsMatch(kNear));
+  EXPECT_TRUE(ReferencePolicy(options).needsMatch(kFar));
 }
 
 TEST(ReferencePolicy, AKeyframeStaysUntilTooLittleOfItIsSeen)
@@ -43,12 +43,12 @@ TEST(ReferencePolicy, AKeyframeStaysUntilTooLittleOfItIsSeen)
   ReferenceOptions options;
   options.choice = ReferenceChoice::Keyframe;
   const ReferencePolicy policy(options);
-  EXPECT_FALSE(policy.isReplaced(kGood, kFar, 0));
-  EXPECT_TRUE(policy.isReplaced(kGood, {2.1, 0, 0}, 0));
-  EXPECT_TRUE(policy.isReplaced(kGood, {0, 0, degToRad(41)}, 0));
-  EXPECT_TRUE(policy.isReplaced(matchOf(MatchStatus::Converged, 0.4), kFar, 0));
-  EXPECT_TRUE(policy.isReplaced(matchOf(MatchStatus::Converged, 1, 29), kFar, 0));
-  EXPECT_FALSE(policy.isReplaced(matchOf(MatchStatus::Converged, 0.4, 29), kNear, 0));
+  EXPECT_FALSE(policy.replacesReference(kGood, kFar, 0));
+  EXPECT_TRUE(policy.replacesReference(kGood, {2.1, 0, 0}, 0));
+  EXPECT_TRUE(policy.replacesReference(kGood, {0, 0, degToRad(41)}, 0));
+  EXPECT_TRUE(policy.replacesReference(matchOf(MatchStatus::Converged, 0.4), kFar, 0));
+  EXPECT_TRUE(policy.replacesReference(matchOf(MatchStatus::Converged, 1, 29), kFar, 0));
+  EXPECT_FALSE(policy.replacesReference(matchOf(MatchStatus::Converged, 0.4, 29), kNear, 0));
 }
 
 TEST(ReferencePolicy, AfterAFailureTheReferenceWaitsUntilItIsGivenUp)
@@ -56,9 +56,9 @@ TEST(ReferencePolicy, AfterAFailureTheReferenceWaitsUntilItIsGivenUp)
   ReferenceOptions options;
   options.maxFailures = 3;
   const ReferencePolicy policy(options);
-  EXPECT_FALSE(policy.isReplaced(kFailed, kFar, 1));
-  EXPECT_FALSE(policy.isReplaced(kFailed, kFar, 2));
-  EXPECT_TRUE(policy.isReplaced(kFailed, kFar, 3));
+  EXPECT_FALSE(policy.replacesReference(kFailed, kFar, 1));
+  EXPECT_FALSE(policy.replacesReference(kFailed, kFar, 2));
+  EXPECT_TRUE(policy.replacesReference(kFailed, kFar, 3));
 }
 
 // ---- map: a keyframe every metre or 30 degrees, of use within 4 m and 60 degrees ---------------
@@ -81,11 +81,11 @@ TEST(ReferencePolicy, OnlyOneOfTheChoicesIsAMap)
   }
 }
 
-TEST(ReferencePolicy, AKeyframeIsACandidateWithinPlaceAndHeading)
+TEST(ReferencePolicy, AKeyframeIsWithinReachInPlaceAndHeading)
 {
-  EXPECT_TRUE(mapPolicy().isCandidate({2.7, -2.7, degToRad(-59)}));  // 3.8 m away
-  EXPECT_FALSE(mapPolicy().isCandidate({2.9, -2.9, 0}));
-  EXPECT_FALSE(mapPolicy().isCandidate({0, 0, degToRad(-61)}));
+  EXPECT_TRUE(mapPolicy().isWithinReach({2.7, -2.7, degToRad(-59)}));  // 3.8 m away
+  EXPECT_FALSE(mapPolicy().isWithinReach({2.9, -2.9, 0}));
+  EXPECT_FALSE(mapPolicy().isWithinReach({0, 0, degToRad(-61)}));
 }
 
 TEST(ReferencePolicy, AKeyframeCoversWhatIsNearInPlaceAndHeading)
@@ -95,7 +95,7 @@ TEST(ReferencePolicy, AKeyframeCoversWhatIsNearInPlaceAndHeading)
   EXPECT_FALSE(mapPolicy().isCovered({0, 0, degToRad(31)}));
 }
 
-TEST(ReferencePolicy, RemotenessAddsPlaceAndHeading)
+TEST(ReferencePolicy, TheNormalizedDistanceAddsPlaceAndHeading)
 {
   EXPECT_EQ(mapPolicy().normalizedDistance({}), 0);
   EXPECT_NEAR(mapPolicy().normalizedDistance({0, -4, 0}), 1, 1e-12);
@@ -105,11 +105,11 @@ TEST(ReferencePolicy, RemotenessAddsPlaceAndHeading)
 
 TEST(ReferencePolicy, AKeyframeThatSawHalfOfAScanSawEnough)
 {
-  EXPECT_TRUE(mapPolicy().isEnough(0.5));
-  EXPECT_FALSE(mapPolicy().isEnough(0.49));
+  EXPECT_TRUE(mapPolicy().overlapsEnough(0.5));
+  EXPECT_FALSE(mapPolicy().overlapsEnough(0.49));
 }
 
-TEST(ReferencePolicy, AUsableMatchThatExplainsMostRaysTiesKeyframes)
+TEST(ReferencePolicy, AUsableMatchThatExplainsMostRaysLinksKeyframes)
 {
   for (const MatchStatus status :
        {MatchStatus::Converged, MatchStatus::MaxIterations, MatchStatus::Degenerate})
@@ -127,14 +127,14 @@ TEST(ReferencePolicy, AMatchThatExplainsLittleIsRetried)
   options.retryScore = 0.9;
   options.mapRetryScore = 0.7;
   const ReferencePolicy sequential(options);
-  EXPECT_TRUE(sequential.isRetried(matchOf(MatchStatus::Converged, 0.89)));
-  EXPECT_FALSE(sequential.isRetried(matchOf(MatchStatus::Converged, 0.9)));
-  EXPECT_TRUE(sequential.isRetried(matchOf(MatchStatus::NoImprovement, 0.95)));
+  EXPECT_TRUE(sequential.needsRetry(matchOf(MatchStatus::Converged, 0.89)));
+  EXPECT_FALSE(sequential.needsRetry(matchOf(MatchStatus::Converged, 0.9)));
+  EXPECT_TRUE(sequential.needsRetry(matchOf(MatchStatus::NoImprovement, 0.95)));
   options.choice = ReferenceChoice::Map;
-  EXPECT_FALSE(ReferencePolicy(options).isRetried(matchOf(MatchStatus::Converged, 0.7)));
-  EXPECT_TRUE(ReferencePolicy(options).isRetried(matchOf(MatchStatus::Converged, 0.69)));
+  EXPECT_FALSE(ReferencePolicy(options).needsRetry(matchOf(MatchStatus::Converged, 0.7)));
+  EXPECT_TRUE(ReferencePolicy(options).needsRetry(matchOf(MatchStatus::Converged, 0.69)));
   options.retryLastScan = false;
-  EXPECT_FALSE(ReferencePolicy(options).isRetried(matchOf(MatchStatus::NoImprovement, 0)));
+  EXPECT_FALSE(ReferencePolicy(options).needsRetry(matchOf(MatchStatus::NoImprovement, 0)));
 }
 
 TEST(ReferencePolicy, ARetryHasToBeClearlyBetter)
@@ -145,17 +145,17 @@ TEST(ReferencePolicy, ARetryHasToBeClearlyBetter)
   EXPECT_FALSE(mapPolicy().isBetter(matchOf(MatchStatus::Degenerate, 0.9), weak));
 }
 
-TEST(ReferencePolicy, KeyframesAreTiedToTheLastFewAndThoseOfAMapToAny)
+TEST(ReferencePolicy, KeyframesAreLinkedToTheLastFewAndThoseOfAMapToAny)
 {
   ReferenceOptions options;
   options.keyframeWindow = 20;
   options.choice = ReferenceChoice::Keyframe;
-  EXPECT_EQ(ReferencePolicy(options).firstTied(15), 0U);
-  EXPECT_EQ(ReferencePolicy(options).firstTied(50), 30U);
-  EXPECT_TRUE(ReferencePolicy(options).tiesReferences());
-  EXPECT_EQ(mapPolicy().firstTied(50), 0U);
+  EXPECT_EQ(ReferencePolicy(options).firstLinkable(15), 0U);
+  EXPECT_EQ(ReferencePolicy(options).firstLinkable(50), 30U);
+  EXPECT_TRUE(ReferencePolicy(options).linksReferences());
+  EXPECT_EQ(mapPolicy().firstLinkable(50), 0U);
   options.choice = ReferenceChoice::Sequential;
-  EXPECT_FALSE(ReferencePolicy(options).tiesReferences());
+  EXPECT_FALSE(ReferencePolicy(options).linksReferences());
 }
 
 TEST(ReferencePolicy, APlaceIsSearchedForAsFarAsTheWayMayHaveDrifted)
@@ -172,6 +172,32 @@ TEST(ReferencePolicy, APlaceIsSearchedForAsFarAsTheWayMayHaveDrifted)
   EXPECT_FALSE(policy.isLoopCandidate({2.6, 0, 0}, drift));
   EXPECT_FALSE(policy.isLoopCandidate({0, 0, degToRad(36)}, drift));
   EXPECT_FALSE(policy.isLoopCandidate({0, 0, 0}, policy.driftAfter(1)));  // is where it is expected
+}
+
+TEST(ReferencePolicy, ALinkIsLessCertainThanItsMatchByWhatTheOptionsSay)
+{
+  Eigen::Matrix3d match;
+  match << 4e-6, 1e-6, 2e-7, 1e-6, 9e-6, 0, 2e-7, 0, 1e-6;
+  ReferenceOptions options;
+  options.linkSigma_m = 0;
+  options.linkSigma_rad = 0;
+  EXPECT_EQ(ReferencePolicy(options).linkCovariance(match), match);
+  options.linkSigma_m = 0.01;
+  options.linkSigma_rad = 0.002;
+  const Eigen::Matrix3d added = ReferencePolicy(options).linkCovariance(match) - match;
+  EXPECT_TRUE(added.isApprox(Eigen::Vector3d(1e-4, 1e-4, 4e-6).asDiagonal().toDenseMatrix()));
+}
+
+TEST(ReferencePolicy, EveryOptionStandsInTheTable)
+{
+  ReferenceOptions options;
+  OptionTable table;
+  listFields(table, options);
+  table.set("reference", "link_sigma_m", "0.02");
+  table.set("reference", "link_sigma_deg", "0.5");
+  EXPECT_EQ(options.linkSigma_m, 0.02);
+  EXPECT_DOUBLE_EQ(options.linkSigma_rad, degToRad(0.5));
+  EXPECT_EQ(table.fields().size(), 24U);
 }
 
 TEST(ReferencePolicy, TheNumberOfLinksIsAnOption)
