@@ -69,6 +69,40 @@ TEST(Overlap, ReachesAcrossTheSeamOfAClosedScan)
   EXPECT_EQ(overlap(reference, current, {}), 1);
 }
 
+//   sensor o--------------> | 10 m       a return of the current scan counts as seen where it lies
+//                     <-0.8-> m          within 0.3 m + 5 % of what the reference measured there
+TEST(Overlap, BearsRangesThatAreOffByThirtyCentimetresAndFivePerCent)
+{
+  const auto single = [](double range_m)
+  {
+    Scan scan;
+    scan.grid = BeamGrid(0, degToRad(1), 1);
+    scan.range_m = {range_m};
+    return scan;
+  };
+  EXPECT_EQ(overlap(single(10), single(10.8), {}), 1);  // the tolerance at 10.8 m is 0.84 m
+  EXPECT_EQ(overlap(single(10), single(9.25), {}), 1);  // at 9.25 m 0.76 m
+  EXPECT_EQ(overlap(single(10), single(11), {}), 0);
+  EXPECT_EQ(overlap(single(10), single(9.2), {}), 0);
+}
+
+TEST(Overlap, CountsReturnsOutsideTheFieldOfViewAsUnseen)
+{
+  const Scan forward = officeScan({}, kForward);
+  const Pose2 turned{0, 0, degToRad(90)};
+  EXPECT_NEAR(overlap(forward, officeScan(turned, kForward), turned), 0.5, 0.02);
+}
+
+TEST(Overlap, OfAStrideLooksAtEveryRayOfThatNumber)
+{
+  Scan scan = officeScan({}, kForward);
+  Scan current = scan;
+  for (std::size_t ray = 0; ray < current.range_m.size(); ++ray)
+    if (ray % 5 != 0) current.range_m[ray] += 3;
+  EXPECT_EQ(Overlap(scan, current, 5).at({}), 1);
+  EXPECT_LT(Overlap(scan, current, 1).at({}), 0.5);
+}
+
 TEST(Overlap, OfScansThatDoNotFitTheirGridIsNone)
 {
   const Scan whole = officeScan({}, kForward);
