@@ -23,7 +23,10 @@ struct ReferenceMatch
 };
 
 /** A scan with its place on the trajectory. The world is the frame of the robot at the first scan.
- */
+ *
+ * The covariance of T_world_robot is that of the matches and motions by which the scan was placed,
+ * one after the other from the first scan on, their errors taken as independent. A loop that closes
+ * later moves the pose and leaves the covariance as it was. */
 struct PosedScan
 {
   Scan scan;

@@ -406,6 +406,15 @@ TEST_F(MapLoop, AKeyframeJoinsWhereNoneIsNear)
   EXPECT_LT(keyframes, 70);
 }
 
+TEST_F(MapLoop, OptimiseLeavesCovariancesAsTheyWere)
+{
+  TrajectoryBuilder map = driven(ReferenceChoice::Map);
+  const auto before = map.scans();
+  map.optimise();
+  for (std::size_t s = 0; s < before.size(); ++s)
+    EXPECT_EQ(map.scans()[s].T_world_robot.covariance, before[s].T_world_robot.covariance);
+}
+
 TEST_F(MapLoop, OptimiseMovesEarlierScansWithTheirReferences)
 {
   TrajectoryBuilder map = driven(ReferenceChoice::Map);
