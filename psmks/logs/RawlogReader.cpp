@@ -121,10 +121,7 @@ void RawlogReader::take(const CSerializable::Ptr& entry)
 void RawlogReader::takeActions(const CActionCollection& actions)
 {
   actionTime_ = timeOf(actions);
-  const auto motion = motionOf(actions);
-  if (!motion) return;
-  actionsSeen_ = true;
-  actionIncrement_ = actionIncrement_.value_or(Pose2()) * *motion;
+  if (const auto motion = motionOf(actions)) motion_.addIncrement(*motion);
 }
 
 void RawlogReader::takeSensoryFrame(const CSensoryFrame& frame)
@@ -138,8 +135,8 @@ void RawlogReader::takeOdometry(const CObservation& observation)
   const auto* odometry = dynamic_cast<const CObservationOdometry*>(&observation);
   if (!odometry) return;
   const bool stamped = odometry->timestamp != INVALID_TIMESTAMP;
-  track_.add(stamped ? mrpt::Clock::toDouble(odometry->timestamp) : lastStamp_s_,
-             toPose2(odometry->odometry));
+  motion_.addReading(stamped ? mrpt::Clock::toDouble(odometry->timestamp) : lastStamp_s_,
+                     toPose2(odometry->odometry));
 }
 
 void RawlogReader::takeObservation(const CObservation::Ptr& observation)
@@ -159,7 +156,7 @@ void RawlogReader::finishFrame(const CObservation2DRangeScan::Ptr& scan)
   LaserFrame frame;
   frame.scan = scan;
   frame.stamp_s = stampOf(*scan);
-  frame.odometry = odometryUntil(frame.stamp_s);
+  frame.odometry = motion_.untilScan(frame.stamp_s);
   frame.observations = observations_;
   frames_.push_back(std::move(frame));
   observations_.clear();
@@ -173,14 +170,5 @@ double RawlogReader::stampOf(const CObservation& observation)
   if (actionTime_ != INVALID_TIMESTAMP) return mrpt::Clock::toDouble(actionTime_);
   ++stampsMadeUp_;
   return lastStamp_s_ + kAssumedPeriod_s;
-}
-
-std::optional<Pose2> RawlogReader::odometryUntil(double stamp_s)
-{
-  if (actionsSeen_) return std::exchange(actionIncrement_, std::nullopt);
-
-  const auto before = std::exchange(trackAtLastFrame_, track_.poseAt(stamp_s));
-  if (!before || !trackAtLastFrame_) return std::nullopt;
-  return before->inverse() * *trackAtLastFrame_;
 }
 }  // namespace psmks

@@ -4,7 +4,7 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <psmks/gzip/GzipInput.h>
 #include <psmks/logs/LogReader.h>
-#include <psmks/motion/OdometryTrack.h>
+#include <psmks/motion/MotionBetweenScans.h>
 
 #include <deque>
 #include <map>
@@ -40,7 +40,6 @@ class RawlogReader : public LogReader
   void takeObservation(const mrpt::obs::CObservation::Ptr& observation);
   void finishFrame(const mrpt::obs::CObservation2DRangeScan::Ptr& scan);
   double stampOf(const mrpt::obs::CObservation& observation);
-  std::optional<Pose2> odometryUntil(double stamp_s);
 
   GzipInput file_;
   std::optional<std::string> sensorLabel_;
@@ -52,12 +51,9 @@ class RawlogReader : public LogReader
 
   // Of the frame that is being put together.
   mrpt::obs::CSensoryFrame observations_;
-  std::optional<Pose2> actionIncrement_;
   mrpt::Clock::time_point actionTime_ = INVALID_TIMESTAMP;
 
   double lastStamp_s_ = 0;
-  bool actionsSeen_ = false;
-  OdometryTrack track_;
-  std::optional<Pose2> trackAtLastFrame_;
+  MotionBetweenScans motion_;
 };
 }  // namespace psmks
