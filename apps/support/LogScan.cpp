@@ -1,25 +1,18 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/LogScan.h>
-#include <psmks/motion/Sweep.h>
+#include <psmks/mrpt/MountedScan.h>
 #include <psmks/segmentation/Preprocessing.h>
 
-#include <algorithm>
+#include <utility>
 
 namespace psmks
 {
 LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter,
                   const ScanMatcherOptions& options)
 {
-  const SensorMounting mounting = sensorMounting(*frame.scan);
-  LogScan result{converter.convert(*frame.scan), mounting.T_robot_sensor, frame.odometry};
-  result.scan.stamp_s = frame.stamp_s;
-  const double beamTurn_s = options.beamTurn_s != 0 ? options.beamTurn_s : frame.beamTurn_s;
-  const bool raysReversed = frame.scan->rightToLeft == mounting.upsideDown;
-  result.scan.sweepDuration_s =
-      sweepDuration_s(result.scan.grid, raysReversed ? -beamTurn_s : beamTurn_s);
-  if (mounting.tilt_rad > options.maxTilt_rad)
-    std::fill(result.scan.valid.begin(), result.scan.valid.end(), std::uint8_t{0});
-  return result;
+  MountedScan mounted = toMountedScan(*frame.scan, converter, options, frame.beamTurn_s);
+  mounted.scan.stamp_s = frame.stamp_s;
+  return {std::move(mounted.scan), mounted.T_robot_sensor, frame.odometry};
 }
 
 bool hasReturns(const Scan& scan)

@@ -1,9 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/motion/OdometryNoise.h>
-#include <psmks/mrpt/ScanMatcherOptions.h>
-#include <psmks/slam/ReferencePolicy.h>
+#include <psmks/mrpt/ObservationSlam.h>
 
 #include <string>
 
@@ -11,12 +9,8 @@ namespace psmks
 {
 /** Every option of psmks-slam. In files, matching stands in the sections [psmks.<stage>], the rest
  * in [slam.<stage>]; on the command line a stage is enough. */
-struct SlamOptions
+struct SlamOptions : ObservationSlamOptions
 {
-  ScanMatcherOptions matching;
-  ReferenceOptions reference;
-  OdometryOptions odometry;
-
   /** @throws OptionError for a file that is missing or holds none of our sections, and for what
    *  loadOptions() refuses */
   void load(const std::string& path);
