@@ -2,11 +2,12 @@
 #pragma once
 
 /** \file
- * What MRPT 2 and MRPT 3 name differently. */
+ * One name for what MRPT 2 and MRPT 3 name differently. */
 
 namespace psmks::compat
 {
-/** Step of a grid map's ray caster in cells: a member of the map in MRPT 3 ... */
+/** Step of a grid map's ray caster, in cells. This overload is chosen in MRPT 3, where the step is
+ *  an option of each map. */
 template <class GridMap>
 auto raytraceStep_cells(const GridMap& map)
     -> decltype(double(map.insertionOptions.raytraceStepSizeInCellUnits))
@@ -14,7 +15,8 @@ auto raytraceStep_cells(const GridMap& map)
   return map.insertionOptions.raytraceStepSizeInCellUnits;
 }
 
-/** ... and a static one in MRPT 2. */
+/** Step of a grid map's ray caster, in cells. This overload is chosen in MRPT 2, where the step is
+ *  a static member of the class. */
 template <class GridMap>
 auto raytraceStep_cells(const GridMap&)
     -> decltype(double(GridMap::RAYTRACE_STEP_SIZE_IN_CELL_UNITS))

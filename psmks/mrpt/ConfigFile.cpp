@@ -11,7 +11,7 @@ using mrpt::config::CConfigFileBase;
 
 namespace
 {
-/** As MRPT compares the names of sections: upper and lower case are the same. */
+/** Compares as MRPT compares the names of sections: upper and lower case are the same. */
 bool startsWith(const std::string& text, const std::string& prefix)
 {
   const auto same = [](unsigned char a, unsigned char b)
@@ -20,7 +20,7 @@ bool startsWith(const std::string& text, const std::string& prefix)
          std::equal(prefix.begin(), prefix.end(), text.begin(), same);
 }
 
-/** Values are read as raw text: MRPT's read_double() turns what is no number into 0. */
+/** Values are read as text, because MRPT's read_double() turns what is no number into 0. */
 void loadStage(OptionTable& table, const CConfigFileBase& file, const std::string& fileSection,
                const std::string& stage)
 {
@@ -67,7 +67,7 @@ void loadOptions(OptionTable& table, const CConfigFileBase& file, const std::str
 
 void saveOptions(const OptionTable& table, CConfigFileBase& file, const std::string& section)
 {
-  // Without MRPT's padding, which makes a key in memory another key than its name.
+  // MRPT can pad keys with blanks, but in memory a padded key is another key. None is padded here.
   for (const auto& field : table.fields())
     file.write(section + "." + field.section, field.key, field.get());
 }

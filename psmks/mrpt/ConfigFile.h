@@ -8,16 +8,19 @@
 
 namespace psmks
 {
-/** Reads options from an MRPT configuration file: those of stage X from its section "<section>.X",
- *  e.g. [psmks.segmentation] for the section "psmks". Options that the file does not name keep
- * their values; sections outside the prefix are none of ours.
+/** Reads options from an MRPT configuration file. The options of a stage stand in the section
+ *  "<section>.<stage>": with the section "psmks", those of the segmentation stand in
+ *  [psmks.segmentation]. Options that the file does not name keep their values. Sections that do
+ *  not begin with "<section>." are ignored, so other programs may share the file. A file that does
+ *  not exist is, for MRPT, one without sections: nothing is set.
  *
- *  @throws OptionError for a section or key under the prefix that the table does not have, and for
- * a value that is no value of its option; the options before it in the file are then set already */
+ *  @throws OptionError that quotes section, key, value and what is allowed: for a section or a key
+ *  that the table does not have, for a key in the section "<section>" itself, and for text that is
+ *  no value of its option. Options that stand before it in the file are then already set. */
 void loadOptions(OptionTable& table, const mrpt::config::CConfigFileBase& file,
                  const std::string& section);
 
-/** Writes every option; loadOptions() of the same file, or of the same object in memory, gives the
+/** Writes every option. loadOptions() from the file, or from the same object in memory, gives the
  *  same values to the last bit. */
 void saveOptions(const OptionTable& table, mrpt::config::CConfigFileBase& file,
                  const std::string& section);

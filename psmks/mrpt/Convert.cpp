@@ -14,12 +14,13 @@ using mrpt::poses::CPosePDFGaussian;
 
 namespace
 {
-/** Rays of an observation that point to distinct bearings. */
+/** How many rays of an observation point to distinct bearings. */
 int distinctRays(int rays, double increment_rad)
 {
   return static_cast<int>(std::min<double>(rays, std::round(2 * kPi / increment_rad)));
 }
 
+/** The standard deviation of a range where the observation states a sensible one, else 0. */
 double rangeSigma_m(const CObservation2DRangeScan& observation)
 {
   static const float kUnstated_m = CObservation2DRangeScan().stdError;
@@ -29,6 +30,7 @@ double rangeSigma_m(const CObservation2DRangeScan& observation)
   return stated ? sigma_m : 0.0;
 }
 
+/** Seconds since the epoch, 0 where the observation has no time stamp. */
 double stamp_s(const CObservation2DRangeScan& observation)
 {
   return observation.timestamp == INVALID_TIMESTAMP ? 0.0

@@ -14,16 +14,21 @@ using mrpt::maps::COccupancyGridMap2D;
 
 namespace
 {
+/** A cell that is free with a higher probability is free; as far above 1/2, which is unknown, as
+ *  GridmapRanges::kSolidBelow is beneath it. */
 constexpr float kFreeAbove = 0.6f;
 
-/** Along one axis: the range to the next edge between two cells, and from edge to edge. */
+/** Where a ray crosses the edges between cells along one axis: the range to the next edge, and the
+ *  range from edge to edge. */
 struct Edges
 {
   double next_m, spacing_m;
-  int step;  //!< of the cell's index: -1 or 1
+  int step;  //!< what crossing an edge adds to the cell's index: -1, 0 or 1
 };
 
-/**     |        o----|--------|---->
+/** The edges ahead of a ray that begins at o, `inCell_m` behind the lower edge of its cell:
+ *
+ *      |        o----|--------|---->
  *      |        next  spacing                                                                 */
 Edges edgesAlong(double inCell_m, double direction, double cell_m)
 {
@@ -33,6 +38,7 @@ Edges edgesAlong(double inCell_m, double direction, double cell_m)
   return {kNever_m, kNever_m, 0};
 }
 
+/** Distance from a point to a square; 0 within it. */
 double distanceToBox_m(const Eigen::Vector2d& point_m, const Eigen::Vector2d& middle_m,
                        double side_m)
 {
@@ -157,7 +163,7 @@ GridmapRanges loadGridmap(const std::string& path)
     auto archive = mrpt::serialization::archiveFrom(file);
     archive >> map;
   }
-  catch (const std::exception&)  // its text is of source lines and addresses
+  catch (const std::exception&)  // MRPT's text names source lines and addresses, no use to a reader
   {
     throw GridmapError("'" + path + "' is no MRPT grid map, or is damaged");
   }

@@ -12,49 +12,61 @@
 
 namespace psmks
 {
-/** A map that cannot be loaded; the text names the file and the reason. */
+/** A map that cannot be loaded or used. The text names the reason, and the file where there is one.
+ */
 class GridmapError : public std::runtime_error
 {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/** What a laser would measure in an MRPT occupancy grid: exact to the edges of its solid cells.
+/** What a laser without noise would measure in an MRPT occupancy grid. Ranges end exactly at the
+ *  edges of solid cells, because the cells that a ray crosses are visited one by one.
  *
- * Differs from COccupancyGridMap2D::laserScanSimulator(), which steps along the ray by 0.8 cells
- * (so ranges are too long by up to that step), cuts the direction to 1/819 (50 mm at 20 m; smaller
- * steps make that worse: 2 m at a step of 0.02), shortens the maximum range to 0.8 of it, ignores a
- * mounting upside down, and draws its noise from a generator that the whole process shares. Here
- * the cells that a ray crosses are visited one by one, and noise is the caller's. */
+ * COccupancyGridMap2D::laserScanSimulator() of MRPT 2 does less:
+ *  - It steps along the ray by 0.8 cells, so that ranges are too long by up to one step.
+ *  - It rounds the direction to 1/819, which moves the end of a ray of 20 m by up to 50 mm; with
+ *    smaller steps by more, up to 2 m with steps of 0.02 cells.
+ *  - It shortens the maximum range to 0.8 of it.
+ *  - It ignores that a scanner hangs upside down.
+ *  - It draws noise from a generator that the whole process shares.
+ *
+ * A const object serves several threads. */
 class GridmapRanges
 {
  public:
-  /** Cells that are free with a lower probability are solid: MRPT's threshold. Unknown ones let a
-   * ray pass. */
+  /** A cell that is free with a lower probability is solid, as in MRPT. A cell that is neither
+   *  solid nor free is unknown: it lets a ray pass. */
   static constexpr float kSolidBelow = 0.4f;
 
+  /** Copies the cells of the map. */
   explicit GridmapRanges(const mrpt::maps::COccupancyGridMap2D& map);
 
+  /** What a ray met. */
   struct Reading
   {
     double range_m;
     int cell;  //!< column + row * columns()
   };
 
-  /** The first solid cell along a ray; none within the range, or beyond the map.
+  /** The first solid cell along a ray.
+   *  @param origin_m where the ray begins, in the frame of the map
    *  @param direction unit vector
-   *  @return range 0 from within a solid cell */
+   *  @return none where the ray meets no solid cell nearer than maxRange_m, or begins outside the
+   *  map; a range of 0 where it begins in a solid cell */
   std::optional<Reading> cast(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction,
                               double maxRange_m) const;
 
-  /** Distance from a point to the nearest solid cell, but limit_m where that is farther. */
+  /** Distance from a point to the nearest edge of a solid cell, at most limit_m; 0 within a solid
+   *  cell. */
   double clearance_m(const Eigen::Vector2d& point_m, double limit_m) const;
 
-  /** The middle of the free cell that lies farthest from all solid and unknown ones.
+  /** The middle of the free cell that lies farthest from all solid and unknown cells.
    *  @throws GridmapError for a map without a free cell */
   Eigen::Vector2d roomiestPlace_m() const;
 
-  /** Middles of the solid cells that have a neighbour which is not solid: the outlines. */
+  /** Middles of the solid cells that have a neighbour, of four, which is not solid: the outlines of
+   *  what stands in the map. */
   std::vector<Eigen::Vector2d> outline_m() const;
 
   int columns() const { return columns_; }
@@ -81,12 +93,12 @@ class GridmapRanges
   std::vector<Cell> cells_;
 };
 
-/** Loads an MRPT grid, gzipped or not.
- *  @throws GridmapError */
+/** Loads an MRPT occupancy grid from a file, gzipped or not.
+ *  @throws GridmapError for a file that is missing, damaged or of another kind */
 GridmapRanges loadGridmap(const std::string& path);
 
-/** Loads an image whose dark pixels are solid; its middle is the origin.
+/** Loads an image whose dark pixels are solid. The middle of the image is the origin.
  *  @param pixel_m size of a pixel
- *  @throws GridmapError */
+ *  @throws GridmapError for a file that cannot be read as an image */
 GridmapRanges loadImageAsGridmap(const std::string& path, double pixel_m);
 }  // namespace psmks

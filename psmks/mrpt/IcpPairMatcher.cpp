@@ -22,10 +22,10 @@ using mrpt::poses::CPosePDFGaussian;
 using mrpt::slam::CICP;
 using mrpt::slam::TICPAlgorithm;
 
-/** Below this share of correspondences MRPT's map builder refuses a match. */
+/** MRPT's map builder refuses a match whose share of correspondences is not above this. */
 constexpr double kAcceptedGoodness = 0.40;
 
-/** MRPT's ICP and the point maps that it gets. By default what MRPT gives who asks for nothing. */
+/** Parameters of MRPT's ICP and of the point maps that it is given. The defaults are MRPT's. */
 struct IcpSettings
 {
   CICP::TConfigParams icp;
@@ -40,8 +40,8 @@ IcpSettings defaultSettings(TICPAlgorithm algorithm)
   return settings;
 }
 
-/** As MRPT's icp-slam has it in the files that it comes with, icp-slam_demo_classic.ini and
- * icp-slam_demo_LM.ini, where the map's points are 5 cm apart and those of the scan 2 cm. */
+/** The parameters in the files that come with MRPT's icp-slam, icp-slam_demo_classic.ini and
+ *  icp-slam_demo_LM.ini, where points of the map are 5 cm apart and points of the scan 2 cm. */
 IcpSettings icpSlamSettings(TICPAlgorithm algorithm)
 {
   IcpSettings settings = defaultSettings(algorithm);
@@ -55,8 +55,8 @@ IcpSettings icpSlamSettings(TICPAlgorithm algorithm)
   return settings;
 }
 
-/** For accuracy, whatever the time: every point, a wide gate at first and a narrow one in the end.
- * The covariance is the cheap one. */
+/** Parameters for accuracy at any cost in time: every point is used, the gate is wide at first and
+ *  narrow in the end. The covariance is the one that costs least. */
 IcpSettings tunedSettings(TICPAlgorithm algorithm)
 {
   IcpSettings settings = defaultSettings(algorithm);
@@ -71,7 +71,8 @@ IcpSettings tunedSettings(TICPAlgorithm algorithm)
   return settings;
 }
 
-/** An observation whose middle bearing is its x axis, as MRPT's are; the mounting turns it back. */
+/** The scan as an observation. MRPT's observations have their middle bearing along the x axis of
+ *  the sensor; the sensor pose turns the scan back to where it points. */
 CObservation2DRangeScan toObservation(const SegmentedScan& scan)
 {
   const std::size_t rays = scan.range_m.size();
@@ -89,6 +90,7 @@ CObservation2DRangeScan toObservation(const SegmentedScan& scan)
   return observation;
 }
 
+/** The valid rays of a scan as points; none closer to another than the spacing. */
 CSimplePointsMap toPointsMap(const Scan& scan, float spacing_m)
 {
   SegmentedScan cleaned;
@@ -101,8 +103,9 @@ CSimplePointsMap toPointsMap(const Scan& scan, float spacing_m)
 
 /** mrpt::slam::CICP on two point maps, each made of a scan.
  *
- *  A match is a failure (NoImprovement) at kAcceptedGoodness and below. `score` is the share of
- * correspondences, at most 1; times.segmentation_s is the time of making the maps. */
+ *  A match whose share of correspondences is not above kAcceptedGoodness is a failure,
+ *  NoImprovement. `score` is that share, at most 1, and times.segmentation_s the time of making the
+ *  maps. */
 class IcpPairMatcher : public PairMatcher
 {
  public:
@@ -151,6 +154,7 @@ class IcpPairMatcher : public PairMatcher
     return result;
   }
 
+  /** How many points of the current map found a partner. */
   int pairedPoints(const CICP::TReturnInfo& info, std::size_t points) const
   {
     const double tried = static_cast<double>(points) / icp_.options.corresponding_points_decimation;

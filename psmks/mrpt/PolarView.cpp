@@ -19,6 +19,7 @@ using mrpt::maps::CPointsMap;
 
 namespace
 {
+/** A scan without a valid ray. */
 Scan emptyScan(const BeamGrid& grid)
 {
   Scan scan;
@@ -54,8 +55,9 @@ bool contains(const COccupancyGridMap2D& map, const Eigen::Vector2d& p)
          p.y() < map.getYMax();
 }
 
-/** Standard deviation of a cast range: the last step falls anywhere within itself, the surface
- *  anywhere within its cell. */
+/** Standard deviation of a cast range. The caster stops anywhere within its last step, and the
+ *  surface lies anywhere within its cell: two uniform distributions, whose standard deviations are
+ *  their widths over the root of 12. */
 double castSigma_m(const COccupancyGridMap2D& map, double step_cells)
 {
   const double uniform = 1 / std::sqrt(12.0);
@@ -64,9 +66,10 @@ double castSigma_m(const COccupancyGridMap2D& map, double step_cells)
 
 Scan viewOfGrid(const COccupancyGridMap2D& map, const Pose2& T_map_sensor, const BeamGrid& grid)
 {
-  constexpr float kFreeAbove = 0.4f;  // probability of being free; lower: the ray is stopped
+  constexpr float kFreeAbove = 0.4f;  // a cell that is free with a lower probability stops a ray
   const double step_cells = compat::raytraceStep_cells(map);
-  // The caster counts steps against a limit in cells: its own step shortens the range.
+  // The caster compares the number of its steps with the limit in cells, so that steps shorter
+  // than a cell shorten the range that it reaches.
   const double limit_m = diagonal_m(map) / step_cells;
 
   Scan scan = emptyScan(grid);
@@ -85,8 +88,9 @@ Scan viewOfGrid(const COccupancyGridMap2D& map, const Pose2& T_map_sensor, const
   return scan;
 }
 
-/** The part of a multi-metric map to look at: points, which are finer than cells, where there are
- *  some. Null if no part can be looked at. */
+/** The part of a multi-metric map that is turned into a scan: the first point map that is not
+ *  empty, because points are finer than cells, else a grid, else an empty point map. Null where
+ *  there is none of these. */
 const CMetricMap* viewablePart(const CMultiMetricMap& map)
 {
   const CMetricMap* viewable = nullptr;

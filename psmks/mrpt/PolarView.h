@@ -8,28 +8,33 @@
 
 namespace psmks
 {
-/** The scanner that a map is looked at with. */
+/** The scanner by which a map is turned into a scan. */
 struct ViewOptions
 {
   int rays = 720;
   double fieldOfView_rad = 2 * kPi;
-  double maxGap_m = 0.10;   //!< between points of one surface, beside the spacing of the rays
-  Pose2 T_map_sensor = {};  //!< where the scanner stands in a map made of its scan
+  double maxGap_m = 0.10;   //!< points closer together are one surface, see SurfaceView
+  Pose2 T_map_sensor = {};  //!< where the scanner stands in a map that was made of its scan
 };
 
+/** The section [view]. */
 void listFields(OptionTable& table, ViewOptions& options);
 
-/** The scan that a scanner standing at `T_map_sensor` would take of a map.
+/** The scan that a scanner would take of a map.
  *
- *  - Point maps: the nearest points of each bearing, joined where they lie close together; a ray is
- *    valid where it meets such a join. Surfaces behind nearer ones are hidden, single points are
- *    left out. Rays between points repeat their noise, so that a covariance that rests on a map
- *    sparser than the rays is too small by about the root of the surplus.
- *  - Occupancy grids: MRPT's ray caster up to the map's diagonal; the range sigma states its step
- *    and the width of a cell.
- *  - Multi-metric maps: their first point map that is not empty, else a grid.
+ *  - Of a point map, the nearest points of each bearing are joined where they lie close together. A
+ *    ray is valid where it meets such a join. Surfaces behind nearer ones are hidden, and single
+ *    points are left out. Rays between two points share the noise of these points. The standard
+ *    deviations of a match on a map with fewer points than rays are therefore too small, by about
+ *    the root of the number of rays for each point.
+ *  - Of an occupancy grid, MRPT's ray caster gives the ranges, up to the diagonal of the map. The
+ *    standard deviation of a range stands for the step of the caster and for the width of a cell.
+ *  - Of a multi-metric map, the first point map that is not empty is taken, else a grid.
  *
  *  An empty map, or a pose that is not finite, gives a scan without a valid ray.
+ *  @param T_map_sensor where the scanner stands in the map
+ *  @param grid bearings of the scanner's rays
+ *  @param maxGap_m see ViewOptions
  *  @throws std::invalid_argument naming the class of a map that is none of these */
 Scan polarView(const mrpt::maps::CMetricMap& map, const Pose2& T_map_sensor, const BeamGrid& grid,
                double maxGap_m);

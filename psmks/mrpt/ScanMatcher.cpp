@@ -24,13 +24,15 @@ using mrpt::slam::TMetricMapAlignmentResult;
 
 namespace
 {
+/** The covariance as a prior; none where it is not positive definite. */
 std::optional<Eigen::Matrix3d> priorOf(const Eigen::Matrix3d& covariance)
 {
   if (!covariance.allFinite() || covariance.llt().info() != Eigen::Success) return std::nullopt;
   return covariance;
 }
 
-/** Scaled so that the score at which a match is just accepted becomes MRPT's usual threshold. */
+/** The score on MRPT's scale: linear from 0 to the threshold that MRPT's map builders use, which
+ *  stands for the score at which a match is just accepted, and from there to 1. */
 double goodnessOf(const MatchResult& match, double acceptScore)
 {
   constexpr double kThreshold = 0.4;
@@ -42,12 +44,14 @@ double goodnessOf(const MatchResult& match, double acceptScore)
   return std::clamp(goodness, 0.0, 1.0);
 }
 
+/** The goodness of a match that leaves nothing open, else 0. */
 double qualityOf(const MatchResult& match, double goodness)
 {
   return match.unobservableDirection || match.headingUnobservable ? 0 : goodness;
 }
 
-void hand(const ScanMatcher::ReturnInfo& info,
+/** Fills the fields that the caller's class of information has. */
+void fill(const ScanMatcher::ReturnInfo& info,
           mrpt::optional_ref<TMetricMapAlignmentResult> outInfo)
 {
   if (!outInfo.has_value()) return;
@@ -62,8 +66,8 @@ void requireMap(const CMetricMap* map, const char* name)
   if (!map) throw std::invalid_argument(std::string("psmks::ScanMatcher: ") + name + " is null");
 }
 
-/** x, y, yaw from the plane; z, pitch and roll of the guess, at least as uncertain as the
- * assumption of a plane is. */
+/** The pose in space: x, y and yaw are those of the plane, z, pitch and roll those of the guess.
+ * The latter are at least as uncertain as the assumption that the robot moves in a plane. */
 CPose3DPDFGaussian lifted(const CPosePDFGaussian& plane, const CPose3DPDFGaussian& guess)
 {
   constexpr double kPlaneSigma_m = 0.01, kPlaneSigma_rad = degToRad(1);
@@ -83,6 +87,7 @@ CPose3DPDFGaussian lifted(const CPosePDFGaussian& plane, const CPose3DPDFGaussia
   return pose;
 }
 
+/** x, y and yaw of a pose in space, with their covariance. */
 CPosePDFGaussian flattened(const CPose3DPDFGaussian& guess)
 {
   constexpr int kYaw = 3;
@@ -160,7 +165,7 @@ CPosePDF::Ptr ScanMatcher::AlignPDF(const CMetricMap* m1, const CMetricMap* m2,
   const UncertainPose T_m1_m2 =
       solve({reference, current, T_m1_sensor, view.T_map_sensor}, guess, found);
   found.executionTime = watch.lap_s();
-  hand(found, outInfo);
+  fill(found, outInfo);
   return CPosePDFGaussian::Create(toMrpt(T_m1_m2));
 }
 

@@ -12,20 +12,19 @@
 
 namespace psmks
 {
-/** PSM-KS as an MRPT map alignment algorithm: takes the place of mrpt::slam::CICP call for call,
- * and matches pairs of scans directly, which is more accurate than matching point maps made of
- * them.
+/** PSM-KS as an MRPT map alignment algorithm: a drop-in replacement for mrpt::slam::CICP. Beside
+ *  maps it matches pairs of scans, which is more accurate than matching point maps made of them.
  *
- * All poses are those of `m2` (or of the robot at the current scan) in the frame of `m1` (the robot
- * at the reference scan). An initial covariance of zeros, or one that is not positive definite,
- * means "nothing is known beside the pose": MRPT's Align() passes zeros. Any other is a prior that
- * takes part in the estimate.
- *
- * When a match fails (ReturnInfo::match says why) the result is the initial guess with goodness 0,
- * and with its covariance, or a large one where none was given. Bad data does not throw.
- *
- * One object serves one thread; a copy is independent of its original. Each match is logged at
- * DEBUG level, a failed one at WARN. */
+ *  - Every pose is that of `m2` in the frame of `m1`, or that of the robot at the current scan in
+ *    the frame of the robot at the reference scan: metres, radians, covariances of (x, y, phi).
+ *  - The initial covariance is used as a Gaussian prior. A covariance that is not positive definite
+ *    means that the initial pose is only where to begin; MRPT's Align() passes zeros.
+ *  - A match that fails gives back the initial pose, with goodness 0 and with the initial
+ *    covariance, or a large one where that was not positive definite. ReturnInfo::match says why.
+ *    Bad data does not throw.
+ *  - A match is logged at the level DEBUG, a failed one at WARN.
+ *  - One object serves one thread. A copy has the options of its original and nothing else in
+ *    common with it. */
 class ScanMatcher : public mrpt::slam::CMetricMapsAlignmentAlgorithm, public mrpt::rtti::CObject
 {
   DEFINE_MRPT_OBJECT(ScanMatcher, psmks)
@@ -33,54 +32,67 @@ class ScanMatcher : public mrpt::slam::CMetricMapsAlignmentAlgorithm, public mrp
  public:
   using Options = ScanMatcherOptions;
 
-  /** What a match found. Callers that pass a CICP::TReturnInfo get that part filled:
-   *  - nIterations
-   *  - goodness: from 0 to 1; 0 on failure. 0.4, the threshold that MRPT's map builders use, stands
-   *    for `accept_score` of the joint scheme, 1 for every ray explained by the other scan.
-   *  - quality: goodness, or 0 where the scans leave a direction or the heading open (a corridor)
-   */
+  /** What a match found. A caller that passes a CICP::TReturnInfo gets its fields:
+   *  - nIterations: see MatchResult::iterations.
+   *  - goodness: 0 to 1, and 0 on failure. 0.4, the threshold that MRPT's map builders use, stands
+   *    for a score of `joint.accept_score`, and 1 for a score of 1: every ray is explained by the
+   *    other scan.
+   *  - quality: the goodness, but 0 where the scans leave a direction or the heading open, as in a
+   *    corridor. */
   struct ReturnInfo : public mrpt::slam::CICP::TReturnInfo
   {
-    MatchResult match;  //!< in the frames of the two sensors (or viewpoints), see Convert.h
+    /** The match in the frames of the two sensors, see SensorMounting, or of the two viewpoints
+     *  from which maps are seen. */
+    MatchResult match;
   };
 
   ScanMatcher();
 
+  /** May be changed between matches. A match throws an OptionError for options that Matcher does
+   * not accept, such as Ceres in a build without it. */
   Options options;
 
-  /** Pose of the robot at the current scan in the frame of the robot at the reference scan. Sensor
-   *  poses, scanning directions, upside-down mountings and fields of view are those of the scans,
-   *  which may come from different sensors.
+  /** Matches two scans. Sensor poses, scanning directions, mountings upside down and fields of view
+   *  are those of the observations, which may come from different sensors. A scan that is tilted by
+   *  more than options.maxTilt_rad is not matched: the status is InvalidInput, and a warning says
+   *  so.
+   *  @param initial see above
    *  @param info filled where not null
-   *  @throws OptionError if the options choose Ceres in a build without it */
+   *  @return pose of the robot at the current scan in the frame of the robot at the reference scan
+   *  @throws OptionError see `options` */
   mrpt::poses::CPosePDFGaussian::Ptr align(const mrpt::obs::CObservation2DRangeScan& reference,
                                            const mrpt::obs::CObservation2DRangeScan& current,
                                            const mrpt::poses::CPosePDFGaussian& initial,
                                            ReturnInfo* info = nullptr);
 
-  /** Pose of m2 in the frame of m1. Both maps are turned into scans seen from one place, the
-   *  scanner's place in m2 (options.view) and the same by the guess in m1; see polarView() for the
-   *  classes of maps.
+  /** Matches two maps. Both are turned into scans, see polarView(): m2 as seen from the place of
+   *  its scanner, options.view.T_map_sensor, and m1 as seen from where the initial pose puts that
+   *  place.
    *  @param outInfo filled as far as its class has fields for it: TMetricMapAlignmentResult,
    *  CICP::TReturnInfo or ReturnInfo
-   *  @return a CPosePDFGaussian
-   *  @throws std::invalid_argument for a null map or one of a class that has no polar view */
+   *  @return a CPosePDFGaussian, the pose of m2 in the frame of m1
+   *  @throws std::invalid_argument for a null map or one of a class that has no polar view
+   *  @throws OptionError see `options` */
   mrpt::poses::CPosePDF::Ptr AlignPDF(
       const mrpt::maps::CMetricMap* m1, const mrpt::maps::CMetricMap* m2,
       const mrpt::poses::CPosePDFGaussian& initialEstimationPDF,
       mrpt::optional_ref<mrpt::slam::TMetricMapAlignmentResult> outInfo = std::nullopt) override;
 
-  /** The same for a guess in the plane: x, y and yaw are estimated; z, pitch and roll stay as they
-   *  are, with the covariance of the guess or, where that is smaller, 1 cm and 1 degree.
-   *  @return a CPose3DPDFGaussian
-   *  @throws std::invalid_argument if pitch or roll exceed options.maxTilt_rad */
+  /** The same in space, for maps that lie in the plane: x, y and yaw are estimated as AlignPDF()
+   *  does. z, pitch and roll stay as they are, with the variances of the initial pose, which are
+   *  taken to be at least those of 1 cm and 1 degree.
+   *  @return a CPose3DPDFGaussian, the pose of m2 in the frame of m1
+   *  @throws std::invalid_argument as AlignPDF(), and if the initial pitch or roll exceeds
+   *  options.maxTilt_rad
+   *  @throws OptionError see `options` */
   mrpt::poses::CPose3DPDF::Ptr Align3DPDF(
       const mrpt::maps::CMetricMap* m1, const mrpt::maps::CMetricMap* m2,
       const mrpt::poses::CPose3DPDFGaussian& initialEstimationPDF,
       mrpt::optional_ref<mrpt::slam::TMetricMapAlignmentResult> outInfo = std::nullopt) override;
 
  private:
-  /** Two scans and where their sensors stand in the frames that the caller asks for. */
+  /** Two scans, and where their sensors stand in the frames between which the caller asks for the
+   *  motion. */
   struct Problem
   {
     const Scan& reference;
@@ -101,8 +113,12 @@ class ScanMatcher : public mrpt::slam::CMetricMapsAlignmentAlgorithm, public mrp
     Scan reference, current;
   };
 
+  /** Matches the scans of the problem from an initial pose of m2 in m1.
+   *  @param[out] info all but the execution time
+   *  @return the estimate of the same pose */
   UncertainPose solve(const Problem& problem, const UncertainPose& T_m1_m2, ReturnInfo& info);
-  /** The observation as a scan; without any ray, and a warning, where it is tilted too far. */
+
+  /** The observation as a scan. One that is tilted too far has no ray, and is warned of. */
   const Scan& planarScan(const mrpt::obs::CObservation2DRangeScan& observation,
                          ScanConverter& converter, Scan& scan) const;
   void report(const MatchResult& match) const;

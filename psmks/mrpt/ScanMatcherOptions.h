@@ -10,28 +10,31 @@
 
 namespace psmks
 {
-/** All options of ScanMatcher: those of the matcher, and what MRPT's maps and mountings need.
+/** All options of ScanMatcher: those of the method, those of the view of a map, and those of the
+ *  scanner's mounting. The defaults hold for any 2D scanner.
  *
- * Files hold each stage in a section of its own: with the section "psmks", segmentation stands in
- * [psmks.segmentation]. */
+ * In a file every stage has a section of its own: with the section "psmks", the options of the
+ * segmentation stand in [psmks.segmentation]. */
 struct ScanMatcherOptions : public mrpt::config::CLoadableOptions
 {
   MatcherOptions matcher;
   ViewOptions view;
 
-  /** Scanners tilted further out of the plane cannot be matched. */
+  /** A scan whose scanner is tilted further out of the horizontal plane is not matched. */
   double maxTilt_rad = degToRad(5);
 
-  /** Time in which the beam goes once round; 0: as the log states, or unknown. A robot that turns
-   * while the beam sweeps distorts the scan, see straightenSweep(). */
+  /** Time in which the scanner's beam goes once round, negative where that is against the order of
+   *  the rays; 0 = as the log states, else unknown. A robot that turns while the beam sweeps
+   *  distorts the scan, see straightenSweep(). ScanMatcher, which knows no motion, does not use it;
+   *  ObservationSlam and psmks-slam do. */
   double beamTurn_s = 0;
 
-  /** Options that the file does not name keep their values.
-   *  @throws OptionError as loadOptions() does; nothing is changed then */
+  /** Reads the options that the file names; the others keep their values.
+   *  @throws OptionError as loadOptions() of ConfigFile.h does; nothing is changed then */
   void loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
                           const std::string& section) override;
 
-  /** Writes every option; loading gives the same values to the last bit. */
+  /** Writes every option. Loading them gives the same values to the last bit. */
   void saveToConfigFile(mrpt::config::CConfigFileBase& target,
                         const std::string& section) const override;
 
@@ -39,6 +42,6 @@ struct ScanMatcherOptions : public mrpt::config::CLoadableOptions
   void dumpToTextStream(std::ostream& out) const override;
 };
 
-/** The sections of the matcher's options (optionTable(MatcherOptions&)), then view and mounting. */
+/** The sections of optionTable(MatcherOptions&), then [view] and [mounting]. */
 OptionTable optionTable(ScanMatcherOptions& options);
 }  // namespace psmks

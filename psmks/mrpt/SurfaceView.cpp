@@ -8,8 +8,8 @@ namespace psmks
 {
 namespace
 {
-/** Points as far apart as this times the spacing of the rays still are one surface, seen at a slant
- *  of up to about 70 degrees. */
+/** Neighbouring rays meet a wall whose normal is turned by an angle a against them at points that
+ *  are 1/cos(a) times the spacing of the rays apart: three times at 70 degrees. */
 constexpr double kSlantSpacing = 3;
 
 double bearing_rad(const Eigen::Vector2d& p) { return std::atan2(p.y(), p.x()); }
@@ -55,7 +55,7 @@ double SurfaceView::reach_m(double range_m) const
   return maxGap_m_ + kSlantSpacing * range_m * grid_.increment_rad();
 }
 
-/** The next ray, counter-clockwise, whose surface continues that of a ray; -1 if there is none. */
+/** The next ray, counter-clockwise, whose surface continues that of a ray; -1 if none does. */
 int SurfaceView::nextOnSurface(const std::vector<Surface>& surfaces, int ray) const
 {
   const Eigen::Vector2d here = surfaces[static_cast<std::size_t>(ray)].mean();
@@ -81,7 +81,8 @@ void SurfaceView::join(const Eigen::Vector2d& from, const Eigen::Vector2d& to, S
   const Eigen::Vector2d along = to - from;
   for (int k = static_cast<int>(std::ceil(first)); k <= last; ++k)
   {
-    // from + s along = r u: the cross product with `along` leaves r.
+    // The ray r u meets the join where from + s along = r u. The cross product with `along` removes
+    // s and leaves r.
     const int ray = k % grid_.count();
     const double range_m = cross(from, along) / cross(grid_.direction(ray), along);
     const auto i = static_cast<std::size_t>(ray);

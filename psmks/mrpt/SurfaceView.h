@@ -9,7 +9,8 @@
 
 namespace psmks
 {
-/** Turns loose points, seen from the origin, into ranges of a scan (a z-buffer by bearing).
+/** Turns points into ranges of a scan whose sensor stands at the origin. Of several points in one
+ *  direction the nearest counts: a z-buffer over bearings.
  *
  *      ray i  ray i+1
  *        \     /
@@ -17,20 +18,22 @@ namespace psmks
  *          \ /
  *           o
  *
- * A point seldom lies on a ray, and on a wall seen at a slant half a ray's width is centimetres of
- * range: therefore rays meet the joins of neighbouring points instead of taking over their ranges.
- */
+ * A point seldom lies on a ray, and on a wall seen at a slant half the spacing of the rays makes
+ * centimetres of range. Ranges are therefore measured to the joins of neighbouring points and not
+ * to the points themselves. */
 class SurfaceView
 {
  public:
-  /** @param maxGap_m points closer together are one surface; a multiple of the spacing of the rays
-   * at the points is granted beside it */
+  /** @param maxGap_m two points are on one surface if they are closer to each other than this plus
+   *  three times the spacing of the rays at their range */
   SurfaceView(const BeamGrid& grid, double maxGap_m);
 
-  /** Points that are not finite, at the origin or outside the field of view are left out. */
+  /** Adds a point in the frame of the sensor. One that is not finite, at the origin or outside the
+   *  field of view is left out. */
   void addPoint(const Eigen::Vector2d& p);
 
-  /** Fills ranges and validity of a scan on the same grid, with every ray invalid before. */
+  /** Sets the range of every ray that meets a join and marks it as valid.
+   *  @param[in,out] scan on the grid of the view, with every ray invalid before */
   void draw(Scan& scan) const;
 
  private:
@@ -41,7 +44,8 @@ class SurfaceView
     int ray;  //!< the nearest one
   };
 
-  /** The surface that the rays see first: the mean of the points near a ray, less those behind. */
+  /** What a ray sees first: the mean of the points nearest to the ray, without those that lie more
+   *  than maxGap_m behind the nearest. */
   struct Surface
   {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();

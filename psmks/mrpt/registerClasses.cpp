@@ -3,5 +3,5 @@
 #include <mrpt/rtti/CObject.h>
 #include <psmks/mrpt/ScanMatcher.h>
 
-/** Makes the classes known to MRPT's class factory when the library is loaded. */
+/** Makes ScanMatcher known to MRPT's class factory when the library is loaded. */
 MRPT_INITIALIZER(registerClasses_psmks) { mrpt::rtti::registerClass(CLASS_ID(psmks::ScanMatcher)); }

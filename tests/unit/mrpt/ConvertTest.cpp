@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/system/datetime.h>
 #include <psmks/mrpt/Convert.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/unit/mrpt/Observation.h>
@@ -120,6 +121,15 @@ TEST(ScanConverter, KeepsWhatIsInvalidAndSaysSo)
   EXPECT_TRUE(std::isnan(scan.range_m[1]));
   EXPECT_EQ(scan.maxRange_m, 8);
   EXPECT_NEAR(scan.stamp_s, 1234.5, 1e-6);
+}
+
+TEST(ScanConverter, TakesATimeThatIsNotSetAsZero)
+{
+  CObservation2DRangeScan observation = countingScan(4, kPi);
+  observation.timestamp = INVALID_TIMESTAMP;
+  const Scan scan = ScanConverter().convert(observation);
+  EXPECT_EQ(scan.stamp_s, 0);
+  EXPECT_EQ(scan.sweepDuration_s, 0) << "unknown";
 }
 
 TEST(ScanConverter, TakesTheRangeSigmaOnlyWhereItIsStated)

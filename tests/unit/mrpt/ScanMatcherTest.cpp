@@ -11,6 +11,7 @@
 #include <tests/unit/mrpt/Observation.h>
 
 #include <Eigen/Cholesky>
+#include <cmath>
 #include <limits>
 
 namespace psmks::test
@@ -309,6 +310,21 @@ TEST(ScanMatcher, LiftsPlanarProblemsTo3D)
   const auto plane = gaussian(matcher.AlignPDF(&m1, &m2, withoutPrior(kStockGuess)));
   EXPECT_EQ(pose.cov(0, 3), plane.cov(0, 2));
   EXPECT_EQ(pose.cov(3, 3), plane.cov(2, 2));
+}
+
+TEST(ScanMatcher, KeepsTheVariancesOutOfThePlaneButNotBelowThatOfAPlane)
+{
+  constexpr int kZ = 2, kPitch = 4, kRoll = 5;
+  ScanMatcher matcher;
+  const CSimplePointsMap m1 = stockMap(0), m2 = stockMap(1);
+  CPose3DPDFGaussian guess(CPose3D(0.8, 0, 0, 0, 0, 0));
+  guess.cov(kZ, kZ) = 0.25;
+  guess.cov(kRoll, kRoll) = 0.01;
+  const auto pdf = matcher.Align3DPDF(&m1, &m2, guess);
+  const auto& pose = dynamic_cast<const CPose3DPDFGaussian&>(*pdf);
+  EXPECT_EQ(pose.cov(kZ, kZ), 0.25);
+  EXPECT_EQ(pose.cov(kRoll, kRoll), 0.01);
+  EXPECT_DOUBLE_EQ(pose.cov(kPitch, kPitch), std::pow(degToRad(1), 2)) << "was 0";
 }
 
 TEST(ScanMatcher, RefusesProblemsOutOfThePlane)
