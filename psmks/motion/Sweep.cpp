@@ -44,6 +44,7 @@ double sweepDuration_s(const BeamGrid& grid, double beamTurn_s)
 
 void TurnRate::add(double stamp_s, double turned_rad)
 {
+  if (!std::isfinite(stamp_s) || !std::isfinite(turned_rad)) return readings_.clear();
   const double heading_rad = readings_.empty() ? 0 : readings_.back().heading_rad + turned_rad;
   if (!readings_.empty() && stamp_s < readings_.back().stamp_s) readings_.clear();
   readings_.push_back({stamp_s, heading_rad});

@@ -38,7 +38,8 @@ class TurnRate
   static constexpr double kWindow_s = 0.2;
   static constexpr double kMaxAge_s = 3.0;  //!< over a longer time no rate is given
 
-  /** Adds a reading. One that goes back in time replaces all before it.
+  /** Adds a reading. One that goes back in time replaces all before it; one that is not finite
+   *  removes them.
    *  @param turned_rad by how much the robot has turned since the reading before */
   void add(double stamp_s, double turned_rad);
 

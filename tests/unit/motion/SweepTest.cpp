@@ -4,6 +4,7 @@
 #include <tests/support/Scenes.h>
 
 #include <limits>
+#include <utility>
 
 namespace psmks
 {
@@ -92,6 +93,22 @@ TEST(TurnRate, StampsThatJitterDoNotMakeASpin)
   TurnRate rate;
   for (int i = 0; i <= 20; ++i) rate.add(0.1 * i + (i % 2 ? 0.045 : 0), 0.02);
   EXPECT_NEAR(rate.rate_rad_s(), 0.2, 0.05);
+}
+
+TEST(TurnRate, RecoversFromWhatIsNotFinite)
+{
+  using Reading = std::pair<double, double>;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [stamp_s, turned_rad] : {Reading(nan, 0.02), Reading(0.5, nan)})
+  {
+    TurnRate rate;
+    rate.add(0, 0);
+    rate.add(0.4, 0.02);
+    rate.add(stamp_s, turned_rad);
+    EXPECT_EQ(rate.rate_rad_s(), 0);
+    for (int i = 5; i <= 10; ++i) rate.add(0.1 * i, 0.02);
+    EXPECT_NEAR(rate.rate_rad_s(), 0.2, 1e-9);
+  }
 }
 
 TEST(TurnRate, IsZeroWhereStampsTellNothing)
