@@ -11,74 +11,98 @@
 #include <psmks/matchers/PairMatcherRegistration.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 
+namespace psmks
+{
 namespace
 {
-int listMatchers()
+/** The commands of the program, each with its flags and what it runs. */
+class Commands
+{
+ public:
+  explicit Commands(CLI::App& program) : program_(program) {}
+
+  /** @tparam Command constructed with the parser that it adds its flags to; has run() */
+  template <class Command>
+  void add(const std::string& name, const std::string& description)
+  {
+    CLI::App& parser = *program_.add_subcommand(name, description);
+    const auto command = std::make_shared<Command>(parser);
+    commands_.push_back({&parser, [command] { return command->run(); }});
+  }
+
+  void add(const std::string& name, const std::string& description, std::function<ExitCode()> run)
+  {
+    commands_.push_back({program_.add_subcommand(name, description), std::move(run)});
+  }
+
+  /** Runs the one that the command line names.
+   *  @throws CLI::Error where it names none, or with flags that do not exist */
+  ExitCode run(int argc, char** argv) const
+  {
+    program_.parse(argc, argv);
+    const auto isNamed = [](const Entry& entry) { return entry.parser->parsed(); };
+    return std::find_if(commands_.begin(), commands_.end(), isNamed)->run();
+  }
+
+ private:
+  struct Entry
+  {
+    CLI::App* parser;
+    std::function<ExitCode()> run;
+  };
+
+  CLI::App& program_;
+  std::vector<Entry> commands_;
+};
+
+ExitCode listMatchers()
 {
   constexpr int kNameWidth = 22;
-  for (const auto& matcher : psmks::pairMatcherEntries())
+  for (const auto& matcher : pairMatcherEntries())
     std::cout << std::left << std::setw(kNameWidth) << matcher.name << matcher.description << '\n';
-  return psmks::kOk;
+  return kOk;
 }
-}  // namespace
 
-int main(int argc, char** argv)
+void addCommands(Commands& commands)
 {
-  CLI::App app("Compares scan matchers on the same input.", "psmks-benchmark");
-  app.set_version_flag("--version", "psmks-benchmark " PSMKS_VERSION);
-  app.require_subcommand(1);
-  CLI::App* pairsApp = app.add_subcommand("pairs", "matchers on files of scan pairs");
-  CLI::App* convergenceApp =
-      app.add_subcommand("convergence", "how far from the truth a match may start");
-  CLI::App* logsApp = app.add_subcommand("logs", "matchers on logs of a robot");
-  CLI::App* stepsApp =
-      app.add_subcommand("steps", "matchers on scans of a log that follow each other");
-  CLI::App* selfmatchApp =
-      app.add_subcommand("selfmatch", "matchers on each scan of a log and its displaced self");
-  CLI::App* growthApp =
-      app.add_subcommand("growth", "how the time of a match grows with the rays of the scans");
-  CLI::App* segmentationApp =
-      app.add_subcommand("segmentation", "Kalman Segmentation on simulated scans");
-  CLI::App* experimentsApp =
-      app.add_subcommand("experiments", "the paper's experiments on simulated drives");
-  CLI::App* matchersApp = app.add_subcommand("matchers", "lists those that can be compared");
-  psmks::PairsCommand pairs(*pairsApp);
-  psmks::ConvergenceCommand convergence(*convergenceApp);
-  psmks::LogsCommand logs(*logsApp);
-  psmks::StepsCommand steps(*stepsApp);
-  psmks::SelfmatchCommand selfmatch(*selfmatchApp);
-  psmks::GrowthCommand growth(*growthApp);
-  psmks::SegmentationCommand segmentation(*segmentationApp);
-  psmks::ExperimentsCommand experiments(*experimentsApp);
+  commands.add<PairsCommand>("pairs", "matchers on files of scan pairs");
+  commands.add<ConvergenceCommand>("convergence", "how far from the truth a match may start");
+  commands.add<LogsCommand>("logs", "matchers on logs of a robot");
+  commands.add<StepsCommand>("steps", "matchers on scans of a log that follow each other");
+  commands.add<SelfmatchCommand>("selfmatch",
+                                 "matchers on each scan of a log and its displaced self");
+  commands.add<GrowthCommand>("growth", "how the time of a match grows with the rays of the scans");
+  commands.add<SegmentationCommand>("segmentation", "Kalman Segmentation on simulated scans");
+  commands.add<ExperimentsCommand>("experiments", "the paper's experiments on simulated drives");
+  commands.add("matchers", "lists those that can be compared", listMatchers);
+}
 
+ExitCode run(int argc, char** argv)
+{
+  CLI::App program("Compares scan matchers on the same input.", "psmks-benchmark");
+  program.set_version_flag("--version", "psmks-benchmark " PSMKS_VERSION);
+  program.require_subcommand(1);
+  Commands commands(program);
+  addCommands(commands);
   try
   {
-    app.parse(argc, argv);
-    if (pairsApp->parsed()) return pairs.run();
-    if (convergenceApp->parsed()) return convergence.run();
-    if (logsApp->parsed()) return logs.run();
-    if (stepsApp->parsed()) return steps.run();
-    if (selfmatchApp->parsed()) return selfmatch.run();
-    if (growthApp->parsed()) return growth.run();
-    if (matchersApp->parsed()) return listMatchers();
-    if (segmentationApp->parsed()) return segmentation.run();
-    return experiments.run();
+    return commands.run(argc, argv);
   }
   catch (const CLI::Success& helpOrVersion)
   {
-    return app.exit(helpOrVersion);
+    return static_cast<ExitCode>(program.exit(helpOrVersion));
   }
-  catch (const psmks::ProgramError& error)
-  {
-    std::cerr << "psmks-benchmark: " << error.what() << '\n';
-    return error.exitCode;
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "psmks-benchmark: " << error.what() << '\n';
-    return psmks::kUsage;
-  }
+}
+}  // namespace
+}  // namespace psmks
+
+int main(int argc, char** argv)
+{
+  return psmks::exitCodeOf("psmks-benchmark", [&] { return psmks::run(argc, argv); });
 }

@@ -44,7 +44,6 @@ void addFlags(CLI::App& app, CommandLine& c)
       ->type_name("N")
       ->check(CLI::PositiveNumber);
   c.logFlags.addTo(app);
-  app.set_version_flag("--version", "psmks-convert " PSMKS_VERSION);
 }
 
 void check(const CommandLine& commandLine)
@@ -70,12 +69,8 @@ OutputKind CommandLine::outputKind() const
   return ending == ".csv" ? OutputKind::Segments : OutputKind::Unknown;
 }
 
-ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv)
+CommandLineSyntax<CommandLine> commandLineSyntax()
 {
-  CommandLine commandLine;
-  CLI::App app(kDescription, "psmks-convert");
-  app.footer(kFooter);
-  addFlags(app, commandLine);
-  return parsed(app, argc, argv, commandLine, check);
+  return {{"psmks-convert", PSMKS_VERSION, kDescription, kFooter}, addFlags, check};
 }
 }  // namespace psmks

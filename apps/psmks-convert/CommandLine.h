@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <apps/support/CommandLineSyntax.h>
 #include <apps/support/LogFlags.h>
-#include <apps/support/ParsedCommandLine.h>
 
 #include <string>
 
@@ -18,7 +18,7 @@ enum class OutputKind
   Unknown
 };
 
-/** What the user typed. */
+/** The values of the flags of psmks-convert. */
 struct CommandLine
 {
   std::string input, output;
@@ -32,5 +32,6 @@ struct CommandLine
   OutputKind outputKind() const;
 };
 
-ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv);
+/** The flags of psmks-convert. */
+CommandLineSyntax<CommandLine> commandLineSyntax();
 }  // namespace psmks

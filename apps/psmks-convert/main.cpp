@@ -31,7 +31,5 @@ ExitCode run(const CommandLine& commandLine)
 
 int main(int argc, char** argv)
 {
-  const auto parsed = psmks::parseCommandLine(argc, argv);
-  if (!parsed.commandLine) return parsed.exitCode;
-  return psmks::exitCodeOf("psmks-convert", [&parsed] { return psmks::run(*parsed.commandLine); });
+  return psmks::runProgram(psmks::commandLineSyntax(), argc, argv, psmks::run);
 }

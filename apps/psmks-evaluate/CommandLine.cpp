@@ -75,7 +75,13 @@ void addOutputFlags(CLI::App& app, CommandLine& c)
             return isPicture ? "" : "'" + path + "' ends neither in .png nor in .svg";
           },
           ""));
-  app.set_version_flag("--version", "psmks-evaluate " PSMKS_VERSION);
+}
+
+void addFlags(CLI::App& app, CommandLine& c)
+{
+  addInputFlags(app, c);
+  addMeasureFlags(app, c);
+  addOutputFlags(app, c);
 }
 
 /** Opens the files last, so that a mistyped flag leaves none behind. */
@@ -87,14 +93,8 @@ void check(CommandLine& commandLine)
 }
 }  // namespace
 
-ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv)
+CommandLineSyntax<CommandLine> commandLineSyntax()
 {
-  CommandLine commandLine;
-  CLI::App app(kDescription, "psmks-evaluate");
-  app.footer(kFooter);
-  addInputFlags(app, commandLine);
-  addMeasureFlags(app, commandLine);
-  addOutputFlags(app, commandLine);
-  return parsed(app, argc, argv, commandLine, check);
+  return {{"psmks-evaluate", PSMKS_VERSION, kDescription, kFooter}, addFlags, check};
 }
 }  // namespace psmks

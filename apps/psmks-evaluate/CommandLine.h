@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <apps/support/ParsedCommandLine.h>
+#include <apps/support/CommandLineSyntax.h>
 #include <apps/support/TableFiles.h>
 #include <psmks/eval/RelationStatistics.h>
 #include <psmks/geometry/Angle.h>
@@ -11,7 +11,7 @@
 
 namespace psmks
 {
-/** What the user typed. */
+/** The values of the flags of psmks-evaluate. */
 struct CommandLine
 {
   std::vector<std::string> estimates;
@@ -27,5 +27,6 @@ struct CommandLine
   TableFiles files;
 };
 
-ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv);
+/** The flags of psmks-evaluate. */
+CommandLineSyntax<CommandLine> commandLineSyntax();
 }  // namespace psmks

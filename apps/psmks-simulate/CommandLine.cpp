@@ -55,7 +55,8 @@ void addDriveFlags(CLI::App& app, CommandLine& c)
       ->capture_default_str();
 }
 
-void addLaserFlags(CLI::App& app, CommandLine& c)
+/** Which rays the scanner has, and how far it sees. */
+void addScannerFlags(CLI::App& app, CommandLine& c)
 {
   app.add_option("--rays", c.rays, "of a scan")
       ->type_name("N")
@@ -69,6 +70,11 @@ void addLaserFlags(CLI::App& app, CommandLine& c)
       ->type_name("M")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
+}
+
+/** What makes the ranges differ from those to the nearest surface at one instant. */
+void addRangeFaultFlags(CLI::App& app, CommandLine& c)
+{
   app.add_option("--range_sigma_m", c.rangeSigma_m, "standard deviation of a range")
       ->type_name("M")
       ->check(kNotNegative)
@@ -90,6 +96,10 @@ void addLaserFlags(CLI::App& app, CommandLine& c)
       ->type_name("S")
       ->check(CLI::Range(0.0, 0.1))
       ->capture_default_str();
+}
+
+void addMountingFlags(CLI::App& app, CommandLine& c)
+{
   app.add_option("--laser_x_m", c.laserX_m, "of the scanner on the robot")
       ->type_name("M")
       ->capture_default_str();
@@ -106,7 +116,16 @@ void addOutputFlags(CLI::App& app, CommandLine& c)
       ->capture_default_str();
   app.add_flag("-w,--overwrite", c.overwrite, "replace results that are there");
   app.add_flag("--list-worlds", c.listWorlds, "print the worlds that are known by name");
-  app.set_version_flag("--version", "psmks-simulate " PSMKS_VERSION);
+}
+
+void addFlags(CLI::App& app, CommandLine& c)
+{
+  addWorldFlags(app, c);
+  addDriveFlags(app, c);
+  addScannerFlags(app, c);
+  addRangeFaultFlags(app, c);
+  addMountingFlags(app, c);
+  addOutputFlags(app, c);
 }
 
 void requireWorldAndOutput(const CommandLine& commandLine)
@@ -117,15 +136,9 @@ void requireWorldAndOutput(const CommandLine& commandLine)
 }
 }  // namespace
 
-ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv)
+CommandLineSyntax<CommandLine> commandLineSyntax()
 {
-  CommandLine commandLine;
-  CLI::App app(kDescription, "psmks-simulate");
-  app.footer(kFooter);
-  addWorldFlags(app, commandLine);
-  addDriveFlags(app, commandLine);
-  addLaserFlags(app, commandLine);
-  addOutputFlags(app, commandLine);
-  return parsed(app, argc, argv, commandLine, requireWorldAndOutput);
+  return {
+      {"psmks-simulate", PSMKS_VERSION, kDescription, kFooter}, addFlags, requireWorldAndOutput};
 }
 }  // namespace psmks

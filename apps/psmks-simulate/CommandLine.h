@@ -1,14 +1,14 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <apps/support/ParsedCommandLine.h>
+#include <apps/support/CommandLineSyntax.h>
 
 #include <optional>
 #include <string>
 
 namespace psmks
 {
-/** What the user typed. */
+/** The values of the flags of psmks-simulate. */
 struct CommandLine
 {
   std::string world;
@@ -38,5 +38,6 @@ struct CommandLine
   bool listWorlds = false;
 };
 
-ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv);
+/** The flags of psmks-simulate. */
+CommandLineSyntax<CommandLine> commandLineSyntax();
 }  // namespace psmks

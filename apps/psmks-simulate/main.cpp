@@ -1,7 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-simulate/CommandLine.h>
 #include <apps/psmks-simulate/Simulate.h>
-#include <apps/support/ExitCode.h>
 #include <psmks/sim/Worlds.h>
 
 #include <iostream>
@@ -23,7 +22,5 @@ ExitCode run(const CommandLine& commandLine)
 
 int main(int argc, char** argv)
 {
-  const auto parsed = psmks::parseCommandLine(argc, argv);
-  if (!parsed.commandLine) return parsed.exitCode;
-  return psmks::exitCodeOf("psmks-simulate", [&parsed] { return psmks::run(*parsed.commandLine); });
+  return psmks::runProgram(psmks::commandLineSyntax(), argc, argv, psmks::run);
 }

@@ -63,7 +63,6 @@ void addFlags(CLI::App& app, CommandLine& c)
   app.add_flag("--print-config", c.printConfig, "print all options in effect as an ini file");
   app.add_flag("--print-options", c.printOptions, "print what they mean as Markdown tables");
   app.add_flag("-v,--verbose", c.verbose, "report every match on stderr");
-  app.set_version_flag("--version", "psmks-slam " PSMKS_VERSION);
 }
 
 void check(const CommandLine& commandLine)
@@ -72,12 +71,8 @@ void check(const CommandLine& commandLine)
 }
 }  // namespace
 
-ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv)
+CommandLineSyntax<CommandLine> commandLineSyntax()
 {
-  CommandLine commandLine;
-  CLI::App app(kDescription, "psmks-slam");
-  app.footer(kFooter);
-  addFlags(app, commandLine);
-  return parsed(app, argc, argv, commandLine, check);
+  return {{"psmks-slam", PSMKS_VERSION, kDescription, kFooter}, addFlags, check};
 }
 }  // namespace psmks

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <apps/support/CommandLineSyntax.h>
 #include <apps/support/LogFlags.h>
-#include <apps/support/ParsedCommandLine.h>
 
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace psmks
 {
-/** What the user typed. */
+/** The values of the flags of psmks-slam. */
 struct CommandLine
 {
   std::string log;
@@ -35,5 +35,6 @@ struct CommandLine
   bool onlyPrints() const { return printConfig || printOptions; }
 };
 
-ParsedCommandLine<CommandLine> parseCommandLine(int argc, char** argv);
+/** The flags of psmks-slam. */
+CommandLineSyntax<CommandLine> commandLineSyntax();
 }  // namespace psmks

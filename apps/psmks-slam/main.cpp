@@ -1,7 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/CommandLine.h>
 #include <apps/psmks-slam/Slam.h>
-#include <apps/support/ExitCode.h>
 
 #include <iostream>
 
@@ -37,7 +36,5 @@ ExitCode run(const CommandLine& commandLine)
 
 int main(int argc, char** argv)
 {
-  const auto parsed = psmks::parseCommandLine(argc, argv);
-  if (!parsed.commandLine) return parsed.exitCode;
-  return psmks::exitCodeOf("psmks-slam", [&parsed] { return psmks::run(*parsed.commandLine); });
+  return psmks::runProgram(psmks::commandLineSyntax(), argc, argv, psmks::run);
 }

@@ -4,7 +4,6 @@
 #include <apps/psmks-benchmark/convergence/ConvergenceFigures.h>
 #include <apps/psmks-benchmark/report/CommandLine.h>
 #include <apps/psmks-benchmark/report/HtmlPage.h>
-#include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 
 namespace psmks
@@ -35,7 +34,7 @@ ConvergenceCommand::ConvergenceCommand(CLI::App& app)
   output_.addFlags(app);
 }
 
-int ConvergenceCommand::run()
+ExitCode ConvergenceCommand::run()
 {
   for (const auto& set : sets_)
     if (looksLikeASet(set)) pairFamily(set);

@@ -6,6 +6,7 @@
 #include <apps/psmks-benchmark/TableOutput.h>
 #include <apps/psmks-benchmark/convergence/Convergence.h>
 #include <apps/psmks-benchmark/pairs/PairsInput.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -23,7 +24,7 @@ class ConvergenceCommand
 
   /** @return the program's exit code
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
-  int run();
+  ExitCode run();
 
  private:
   struct SetResult

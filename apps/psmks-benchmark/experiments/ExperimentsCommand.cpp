@@ -5,7 +5,6 @@
 #include <apps/psmks-benchmark/experiments/OrientationFigure.h>
 #include <apps/psmks-benchmark/experiments/Report.h>
 #include <apps/psmks-benchmark/experiments/ResultTables.h>
-#include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 
 #include <algorithm>
@@ -75,7 +74,7 @@ ExperimentsCommand::ExperimentsCommand(CLI::App& app) : methodKeys_(knownMethods
   output_.addFlags(app);
 }
 
-int ExperimentsCommand::run()
+ExitCode ExperimentsCommand::run()
 {
   if (quick_) shorten();
   if (folder_.empty() && !quick_) folder_ = kDefaultFolder;
@@ -97,7 +96,7 @@ int ExperimentsCommand::run()
   }
   const std::vector<ResultGroup> groups = grouped(results);
   TableOutput::print(
-      {driftTable(groups), trustTable(groups), workTable(groups), driveTable(groups)});
+      {driftTable(groups), reliabilityTable(groups), workTable(groups), driveTable(groups)});
   output_.save({runTable(results)});
   if (!folder_.empty()) save(results);
   return kOk;

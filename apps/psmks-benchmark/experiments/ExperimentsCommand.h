@@ -5,6 +5,7 @@
 #include <apps/psmks-benchmark/Pictures.h>
 #include <apps/psmks-benchmark/TableOutput.h>
 #include <apps/psmks-benchmark/experiments/Results.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -21,7 +22,7 @@ class ExperimentsCommand
 
   /** @return the program's exit code
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
-  int run();
+  ExitCode run();
 
  private:
   void shorten();

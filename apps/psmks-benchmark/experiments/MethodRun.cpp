@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/experiments/MethodRun.h>
 #include <psmks/eval/Statistics.h>
-#include <psmks/sim/DriftFloor.h>
+#include <psmks/sim/DriftBound.h>
 #include <psmks/slam/ScanMap.h>
 
 #include <algorithm>
@@ -56,9 +56,9 @@ void follow(const Recording& recording, TrajectoryBuilder& builder,
 }
 
 /** What each scan hung on when it came. */
-std::vector<FloorStep> floorSteps(const std::vector<PosedScan>& scans)
+std::vector<DriftBoundStep> driftBoundSteps(const std::vector<PosedScan>& scans)
 {
-  std::vector<FloorStep> steps(scans.size());
+  std::vector<DriftBoundStep> steps(scans.size());
   for (std::size_t s = 0; s < scans.size(); ++s)
   {
     if (scans[s].isMatched()) steps[s].reference = scans[s].decidingMatch()->reference;
@@ -149,11 +149,12 @@ MethodRun runMethod(const Drive& drive, const Method& method, const MatcherOptio
   run.matched = matchedScans(run.scans);
   const Pose2& T_world_start = recording.scans.front().T_world_robot;
 
-  const DriftFloor floor(drive.site.world, recording, drive.simulation);
+  const DriftBound floor(drive.site.world, recording, drive.simulation);
   run.figures = countMatches(recording, run.scans);
   run.figures.drift = driftFigures(recording, run.T_world_robot, run.matched);
   run.figures.odometryDrift = driftFigures(recording, odometryPoses(recording), run.matched);
-  run.figures.floorDrift = driftFigures(recording, floor.poses(floorSteps(run.scans)), run.matched);
+  run.figures.boundDrift =
+      driftFigures(recording, floor.poses(driftBoundSteps(run.scans)), run.matched);
   run.figures.wallEndsShare =
       shareOfEndsOnWalls(drive.site.world, T_world_start, makeScanMap(run.scans, options));
   return run;

@@ -23,7 +23,7 @@ struct MethodFigures
 {
   DriftFigures drift;
   DriftFigures odometryDrift;  //!< at the same scans
-  DriftFigures floorDrift;     //!< of the drift floor on the same pairs of scans
+  DriftFigures boundDrift;     //!< of the drift floor on the same pairs of scans
 
   int matches = 0;          //!< accepted
   int failures = 0;         //!< refused

@@ -86,7 +86,7 @@ void writeReport(std::ostream& out, const std::vector<DriveResult>& results,
   const std::vector<ResultGroup> groups = grouped(results);
   out << kIntroduction;
   writeTable(out, driftTable(groups));
-  writeTable(out, trustTable(groups));
+  writeTable(out, reliabilityTable(groups));
   out << kTrust;
   writeTable(out, workTable(groups));
   out << "Measured on: " << machine << "\n\n";

@@ -53,8 +53,8 @@ double meanDrift_m(const MethodFigures& f) { return f.drift.mean_m; }
 double meanDrift_deg(const MethodFigures& f) { return radToDeg(f.drift.mean_rad); }
 double odometry_m(const MethodFigures& f) { return f.odometryDrift.mean_m; }
 double odometry_deg(const MethodFigures& f) { return radToDeg(f.odometryDrift.mean_rad); }
-double floor_m(const MethodFigures& f) { return f.floorDrift.mean_m; }
-double floor_deg(const MethodFigures& f) { return radToDeg(f.floorDrift.mean_rad); }
+double lowestDrift_m(const MethodFigures& f) { return f.boundDrift.mean_m; }
+double lowestDrift_deg(const MethodFigures& f) { return radToDeg(f.boundDrift.mean_rad); }
 
 /** In position and in heading. */
 bool isBetter(const DriftFigures& a, const DriftFigures& b)
@@ -84,6 +84,73 @@ double total(const ResultGroup& group, const std::string& key, int MethodFigures
   for (const auto& drive : group.drives)
     if (const MethodFigures* figures = drive.find(key)) sum += figures->*count;
   return sum;
+}
+
+std::vector<Table::Cell> driftRow(const ResultGroup& group, const Method& method)
+{
+  const auto max_m = [](const MethodFigures& f) { return f.drift.max_m; };
+  const auto max_deg = [](const MethodFigures& f) { return radToDeg(f.drift.max_rad); };
+  const Spread drift_m = spread(group, method.key, meanDrift_m);
+  const Spread drift_deg = spread(group, method.key, meanDrift_deg);
+  const double lowest_m = spread(group, method.key, lowestDrift_m).mean;
+  const double lowest_deg = spread(group, method.key, lowestDrift_deg).mean;
+  return {siteName(group),
+          group.maxRange_m,
+          method.name,
+          cell(drift_m, 1, kCentimetre),
+          spread(group, method.key, max_m).largest * kCentimetre,
+          cell(drift_deg, 2),
+          spread(group, method.key, max_deg).largest,
+          lowest_m * kCentimetre,
+          lowest_deg,
+          drift_m.mean / lowest_m,
+          drift_deg.mean / lowest_deg,
+          spread(group, method.key, odometry_m).mean / drift_m.mean,
+          spread(group, method.key, odometry_deg).mean / drift_deg.mean};
+}
+
+std::vector<Table::Cell> driftRowOfPaper(const ResultGroup& group, const PaperFigures& paper)
+{
+  return {siteName(group),
+          kNone,
+          "the paper, on its own map",
+          number(paper.drift_m * kCentimetre, 1),
+          kNone,
+          number(paper.drift_deg, 2),
+          kNone,
+          kNone,
+          kNone,
+          kNone,
+          kNone,
+          paper.timesBetter(),
+          paper.timesBetterHeading()};
+}
+
+/** How often a method failed, said so, or was wrong without saying so, and how it compares. */
+std::vector<Table::Cell> reliabilityRow(const ResultGroup& group, const Method& method)
+{
+  const std::string& key = method.key;
+  const auto odometry = [&key](const DriveResult& d) { return &d.find(key)->odometryDrift; };
+  const auto paper = [](const DriveResult& d) -> const DriftFigures*
+  {
+    const MethodFigures* figures = d.find(paperMethod().key);
+    return figures ? &figures->drift : nullptr;
+  };
+  const auto worst_m = [](const MethodFigures& f) { return f.worstMatch_m; };
+  const auto worst_deg = [](const MethodFigures& f) { return radToDeg(f.worstMatch_rad); };
+  const auto ends = [](const MethodFigures& f) { return f.wallEndsShare; };
+  return {siteName(group),
+          group.maxRange_m,
+          method.name,
+          total(group, key, &MethodFigures::matches),
+          total(group, key, &MethodFigures::failures),
+          total(group, key, &MethodFigures::degenerate),
+          total(group, key, &MethodFigures::silentErrors),
+          spread(group, key, worst_m).largest * kCentimetre,
+          spread(group, key, worst_deg).largest,
+          drivesWon(group, key, odometry),
+          key == paperMethod().key ? "-" : drivesWon(group, key, paper),
+          spread(group, key, ends).mean * kPercent};
 }
 }  // namespace
 
@@ -176,31 +243,14 @@ Table driftTable(const std::vector<ResultGroup>& groups)
   for (const auto& group : groups)
   {
     for (const auto& [method, unused] : methodsOf(group))
-    {
-      const auto max_m = [](const MethodFigures& f) { return f.drift.max_m; };
-      const auto max_deg = [](const MethodFigures& f) { return radToDeg(f.drift.max_rad); };
-      const Spread drift_m = spread(group, method.key, meanDrift_m);
-      const Spread drift_deg = spread(group, method.key, meanDrift_deg);
-      const double lowest_m = spread(group, method.key, floor_m).mean;
-      const double lowest_deg = spread(group, method.key, floor_deg).mean;
-      table.rows.push_back(
-          {siteName(group), group.maxRange_m, method.name, cell(drift_m, 1, kCentimetre),
-           spread(group, method.key, max_m).largest * kCentimetre, cell(drift_deg, 2),
-           spread(group, method.key, max_deg).largest, lowest_m * kCentimetre, lowest_deg,
-           drift_m.mean / lowest_m, drift_deg.mean / lowest_deg,
-           spread(group, method.key, odometry_m).mean / drift_m.mean,
-           spread(group, method.key, odometry_deg).mean / drift_deg.mean});
-    }
+      table.rows.push_back(driftRow(group, method));
     if (const auto paper = paperFigures(group.site))
-      table.rows.push_back({siteName(group), kNone, "the paper, on its own map",
-                            number(paper->drift_m * kCentimetre, 1), kNone,
-                            number(paper->drift_deg, 2), kNone, kNone, kNone, kNone, kNone,
-                            paper->timesBetter(), paper->timesBetterHeading()});
+      table.rows.push_back(driftRowOfPaper(group, *paper));
   }
   return table;
 }
 
-Table trustTable(const std::vector<ResultGroup>& groups)
+Table reliabilityTable(const std::vector<ResultGroup>& groups)
 {
   Table table;
   table.title = "Trust";
@@ -218,27 +268,7 @@ Table trustTable(const std::vector<ResultGroup>& groups)
                    {"ends on walls, %", "ends_on_walls_percent", 1}};
   for (const auto& group : groups)
     for (const auto& [method, unused] : methodsOf(group))
-    {
-      const std::string& key = method.key;
-      const auto odometry = [&key](const DriveResult& d) { return &d.find(key)->odometryDrift; };
-      const auto paper = [](const DriveResult& d) -> const DriftFigures*
-      {
-        const MethodFigures* figures = d.find(paperMethod().key);
-        return figures ? &figures->drift : nullptr;
-      };
-      const auto worst_m = [](const MethodFigures& f) { return f.worstMatch_m; };
-      const auto worst_deg = [](const MethodFigures& f) { return radToDeg(f.worstMatch_rad); };
-      const auto ends = [](const MethodFigures& f) { return f.wallEndsShare; };
-      table.rows.push_back({siteName(group), group.maxRange_m, method.name,
-                            total(group, key, &MethodFigures::matches),
-                            total(group, key, &MethodFigures::failures),
-                            total(group, key, &MethodFigures::degenerate),
-                            total(group, key, &MethodFigures::silentErrors),
-                            spread(group, key, worst_m).largest * kCentimetre,
-                            spread(group, key, worst_deg).largest, drivesWon(group, key, odometry),
-                            key == paperMethod().key ? "-" : drivesWon(group, key, paper),
-                            spread(group, key, ends).mean * kPercent});
-    }
+      table.rows.push_back(reliabilityRow(group, method));
   return table;
 }
 
@@ -269,7 +299,7 @@ Table runTable(const std::vector<DriveResult>& results)
            f.drift.max_m * kCentimetre, radToDeg(f.drift.mean_rad), radToDeg(f.drift.max_rad),
            f.odometryDrift.mean_m * kCentimetre, f.odometryDrift.max_m * kCentimetre,
            radToDeg(f.odometryDrift.mean_rad), radToDeg(f.odometryDrift.max_rad),
-           f.floorDrift.mean_m * kCentimetre, radToDeg(f.floorDrift.mean_rad)});
+           f.boundDrift.mean_m * kCentimetre, radToDeg(f.boundDrift.mean_rad)});
   return table;
 }
 }  // namespace psmks

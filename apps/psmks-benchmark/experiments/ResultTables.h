@@ -18,7 +18,7 @@ Table workTable(const std::vector<ResultGroup>& groups);
 Table driftTable(const std::vector<ResultGroup>& groups);
 
 /** Whether a method can be relied on: failures, flags, silent errors, drives won. */
-Table trustTable(const std::vector<ResultGroup>& groups);
+Table reliabilityTable(const std::vector<ResultGroup>& groups);
 
 /** One row a drive and method. */
 Table runTable(const std::vector<DriveResult>& results);

@@ -1,6 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/experiments/SegmentationCommand.h>
-#include <apps/support/ExitCode.h>
 #include <psmks/base/Stopwatch.h>
 #include <psmks/eval/SegmentationQuality.h>
 #include <psmks/eval/Statistics.h>
@@ -66,7 +65,7 @@ SegmentationCommand::SegmentationCommand(CLI::App& app)
   output_.addFlags(app);
 }
 
-int SegmentationCommand::run()
+ExitCode SegmentationCommand::run()
 {
   output_.open();
   Table table;

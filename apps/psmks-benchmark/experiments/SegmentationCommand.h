@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apps/psmks-benchmark/TableOutput.h>
+#include <apps/support/ExitCode.h>
 #include <psmks/segmentation/SegmentationOptions.h>
 #include <psmks/sim/World.h>
 
@@ -19,7 +20,7 @@ class SegmentationCommand
   explicit SegmentationCommand(CLI::App& app);
 
   /** @return the program's exit code */
-  int run();
+  ExitCode run();
 
  private:
   std::vector<Table::Cell> measure(const std::string& worldName, const World& world,

@@ -1,7 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/CommonFlags.h>
 #include <apps/psmks-benchmark/growth/GrowthCommand.h>
-#include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 #include <psmks/eval/Chart.h>
 
@@ -50,7 +49,7 @@ GrowthCommand::GrowthCommand(CLI::App& app)
   output_.addFlags(app);
 }
 
-int GrowthCommand::run()
+ExitCode GrowthCommand::run()
 {
   checkMatchers(options_.matchers, options_.matcherOptions);
   output_.open();

@@ -3,6 +3,7 @@
 
 #include <apps/psmks-benchmark/TableOutput.h>
 #include <apps/psmks-benchmark/growth/GrowthRun.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -17,7 +18,7 @@ class GrowthCommand
 
   /** @return the program's exit code
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
-  int run();
+  ExitCode run();
 
  private:
   GrowthOptions options_;

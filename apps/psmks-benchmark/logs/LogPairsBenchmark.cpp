@@ -23,7 +23,7 @@ LogPairsBenchmark::LogPairsBenchmark(CLI::App& app, const PairError& success)
   output_.addFlags(app);
 }
 
-int LogPairsBenchmark::run(const MakePairs& makePairs)
+ExitCode LogPairsBenchmark::run(const MakePairs& makePairs)
 {
   input_.check();
   const SlamOptions options = optionFlags_.options();

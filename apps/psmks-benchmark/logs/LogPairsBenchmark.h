@@ -5,6 +5,7 @@
 #include <apps/psmks-benchmark/logs/LogInput.h>
 #include <apps/psmks-benchmark/pairs/PairsBenchmark.h>
 #include <apps/psmks-benchmark/pairs/PairsOutput.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -37,7 +38,7 @@ class LogPairsBenchmark
   /** @return the program's exit code
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted; and as
    * LogInput::read() */
-  int run(const MakePairs& makePairs);
+  ExitCode run(const MakePairs& makePairs);
 
  private:
   void match(const LogPairs& set);

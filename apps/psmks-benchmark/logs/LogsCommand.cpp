@@ -2,7 +2,6 @@
 #include <apps/psmks-benchmark/Machine.h>
 #include <apps/psmks-benchmark/logs/LogsCommand.h>
 #include <apps/psmks-benchmark/report/CommandLine.h>
-#include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 
 namespace psmks
@@ -40,7 +39,7 @@ LogsCommand::LogsCommand(CLI::App& app)
   app.add_option("--draw-worst", drawn_, "motions of each run on that page")->capture_default_str();
 }
 
-int LogsCommand::run()
+ExitCode LogsCommand::run()
 {
   input_.check();
   options_ = optionFlags_.options();

@@ -5,6 +5,7 @@
 #include <apps/psmks-benchmark/TableOutput.h>
 #include <apps/psmks-benchmark/logs/LogInput.h>
 #include <apps/psmks-benchmark/logs/LogRun.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <fstream>
@@ -24,7 +25,7 @@ class LogsCommand
   /** @return the program's exit code
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted; and as
    * LogInput::read() */
-  int run();
+  ExitCode run();
 
  private:
   using Method = std::pair<std::string, std::string>;  //!< matcher and reference

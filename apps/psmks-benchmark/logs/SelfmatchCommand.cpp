@@ -19,7 +19,7 @@ SelfmatchCommand::SelfmatchCommand(CLI::App& app) : benchmark_(app, kSuccess)
   app.add_option("--seed", seed_, "of the guesses")->capture_default_str();
 }
 
-int SelfmatchCommand::run()
+ExitCode SelfmatchCommand::run()
 {
   return benchmark_.run([this](const Log& log, const SlamOptions&)
                         { return std::vector<LogPairs>{pairs(log)}; });

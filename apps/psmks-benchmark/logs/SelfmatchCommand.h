@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apps/psmks-benchmark/logs/LogPairsBenchmark.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <vector>
@@ -17,7 +18,7 @@ class SelfmatchCommand
   explicit SelfmatchCommand(CLI::App& app);
 
   /** As LogPairsBenchmark::run(). */
-  int run();
+  ExitCode run();
 
  private:
   LogPairs pairs(const Log& log) const;

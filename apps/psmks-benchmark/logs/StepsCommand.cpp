@@ -32,7 +32,7 @@ StepsCommand::StepsCommand(CLI::App& app) : benchmark_(app, kSuccess)
   addGuessFlag(app, guesses_);
 }
 
-int StepsCommand::run()
+ExitCode StepsCommand::run()
 {
   return benchmark_.run([this](const Log& log, const SlamOptions& options)
                         { return pairs(log, options.odometry); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apps/psmks-benchmark/logs/LogPairsBenchmark.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -17,7 +18,7 @@ class StepsCommand
   explicit StepsCommand(CLI::App& app);
 
   /** As LogPairsBenchmark::run(). */
-  int run();
+  ExitCode run();
 
  private:
   std::vector<LogPairs> pairs(const Log& log, const OdometryOptions& odometry) const;

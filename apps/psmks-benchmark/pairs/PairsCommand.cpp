@@ -1,7 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/convergence/ConvergenceFigures.h>
 #include <apps/psmks-benchmark/pairs/PairsCommand.h>
-#include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
 #include <psmks/matchers/PairMatcher.h>
 
@@ -57,7 +56,7 @@ void PairsCommand::addMatchFlags(CLI::App& app)
   optionFlags_.addTo(app);
 }
 
-int PairsCommand::run()
+ExitCode PairsCommand::run()
 {
   if (listsSets_)
   {

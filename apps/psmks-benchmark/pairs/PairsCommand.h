@@ -5,6 +5,7 @@
 #include <apps/psmks-benchmark/pairs/PairsBenchmark.h>
 #include <apps/psmks-benchmark/pairs/PairsInput.h>
 #include <apps/psmks-benchmark/pairs/PairsOutput.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -21,7 +22,7 @@ class PairsCommand
 
   /** @return the program's exit code
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
-  int run();
+  ExitCode run();
 
  private:
   void addInputFlags(CLI::App& app);

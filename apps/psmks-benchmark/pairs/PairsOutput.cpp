@@ -48,7 +48,7 @@ void PairsOutput::write(const std::vector<Table>& tables)
     html_ << pairsPage({Machine::present().line(), commandLine()}, tables, results_);
 }
 
-int PairsOutput::exitCode(bool damaged) const
+ExitCode PairsOutput::exitCode(bool damaged) const
 {
   if (damaged) return kInputDamaged;
   if (results_.empty()) return kNothingToDo;

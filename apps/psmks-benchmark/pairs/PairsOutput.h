@@ -3,6 +3,7 @@
 
 #include <apps/psmks-benchmark/TableOutput.h>
 #include <apps/psmks-benchmark/pairs/PairsSetResult.h>
+#include <apps/support/ExitCode.h>
 
 #include <CLI/CLI.hpp>
 #include <fstream>
@@ -37,7 +38,7 @@ class PairsOutput
 
   /** Of the program.
    *  @param damaged whether some of the input could not be read */
-  int exitCode(bool damaged) const;
+  ExitCode exitCode(bool damaged) const;
 
  private:
   bool everyMatchFailed() const;

@@ -1,14 +1,19 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/support/ParsedCommandLine.h>
+#include <apps/support/CommandLineSyntax.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
 
 namespace psmks
 {
-std::optional<int> exitCodeOfParsing(CLI::App& program, int argc, char** argv,
+std::optional<int> exitCodeOfParsing(const ProgramText& text, int argc, char** argv,
+                                     const std::function<void(CLI::App&)>& addFlags,
                                      const std::function<void()>& check)
 {
+  CLI::App program(text.description, text.name);
+  program.footer(text.footer);
+  addFlags(program);
+  program.set_version_flag("--version", text.name + ' ' + text.version);
   try
   {
     program.parse(argc, argv);
@@ -21,8 +26,7 @@ std::optional<int> exitCodeOfParsing(CLI::App& program, int argc, char** argv,
   }
   catch (const CLI::ParseError& error)
   {
-    const std::string name = program.get_name();
-    std::cerr << name << ": " << error.what() << " (see " << name << " --help)\n";
+    std::cerr << text.name << ": " << error.what() << " (see " << text.name << " --help)\n";
     return kUsage;
   }
 }
