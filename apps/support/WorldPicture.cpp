@@ -4,7 +4,6 @@
 #include <psmks/draw/MapSheet.h>
 
 #include <Eigen/Geometry>
-#include <opencv2/imgcodecs.hpp>
 
 namespace psmks
 {
@@ -12,24 +11,16 @@ namespace
 {
 using Colour = MapSheet::Colour;
 
-const Colour kWall(70, 40, 20);
 const Colour kPoint(110, 60, 0);
 const Colour kRoute(110, 190, 90);
 const Colour kPath(110, 50, 210);
 const Colour kMoving(20, 140, 250);
-const Colour kStart(60, 150, 30);
-const Colour kEnd(40, 30, 200);
 
 constexpr double kMargin_m = 1.0;
-constexpr double kLegendStrip = 0.2;  // of the longer side: above the world
+/** Height of the empty strip above the world that the legend goes to, as a share of the longer
+ * side. */
+constexpr double kLegendStrip = 0.2;
 constexpr double kWallWidth = 2, kRouteWidth = 3, kPathWidth = 1.2, kMovingWidth = 1;  // hairlines
-
-std::vector<Eigen::Vector2d> placesOf(const std::vector<Pose2>& path)
-{
-  std::vector<Eigen::Vector2d> places_m;
-  for (const auto& pose : path) places_m.push_back(pose.translation());
-  return places_m;
-}
 
 std::vector<Eigen::Vector2d> pointsOf(const World& world)
 {
@@ -38,7 +29,7 @@ std::vector<Eigen::Vector2d> pointsOf(const World& world)
   return points_m;
 }
 
-/** Everything that must lie on the sheet. */
+/** A box around everything that is drawn. */
 Eigen::AlignedBox2d boundsOf(const WorldPicture& picture)
 {
   Eigen::AlignedBox2d bounds;
@@ -51,24 +42,17 @@ Eigen::AlignedBox2d boundsOf(const WorldPicture& picture)
   return bounds;
 }
 
-void drawPath(MapSheet& sheet, const std::vector<Eigen::Vector2d>& path_m, const Colour& colour,
-              double width)
-{
-  for (std::size_t i = 1; i < path_m.size(); ++i)
-    sheet.drawLine(path_m[i - 1], path_m[i], colour, width);
-}
-
 void drawWorld(MapSheet& sheet, const World& world)
 {
   sheet.drawPoints(pointsOf(world), kPoint);
-  for (const auto& wall : world.walls()) sheet.drawLine(wall.a, wall.b, kWall, kWallWidth);
+  for (const auto& wall : world.walls()) sheet.drawLine(wall.a, wall.b, ink::kWall, kWallWidth);
 }
 
 void drawMovingObjects(MapSheet& sheet, const World& world)
 {
   for (const auto& object : world.movingObjects())
   {
-    drawPath(sheet, object.path_m, kMoving, kMovingWidth);
+    sheet.drawPath(object.path_m, kMoving, kMovingWidth);
     sheet.drawMark(object.place_m(0), kMoving);
   }
 }
@@ -76,9 +60,8 @@ void drawMovingObjects(MapSheet& sheet, const World& world)
 void drawDrive(MapSheet& sheet, const std::vector<Eigen::Vector2d>& path_m)
 {
   if (path_m.empty()) return;
-  drawPath(sheet, path_m, kPath, kPathWidth);
-  sheet.drawMark(path_m.front(), kStart);
-  sheet.drawMark(path_m.back(), kEnd);
+  sheet.drawPath(path_m, kPath, kPathWidth);
+  sheet.drawEnds(path_m);
 }
 
 void drawLegend(MapSheet& sheet, const WorldPicture& picture)
@@ -87,7 +70,7 @@ void drawLegend(MapSheet& sheet, const WorldPicture& picture)
   MapLegend legend(sheet);
   legend.add(picture.title);
   if (!world.walls().empty())
-    legend.addLine(std::to_string(world.walls().size()) + " walls", kWall, kWallWidth);
+    legend.addLine(std::to_string(world.walls().size()) + " walls", ink::kWall, kWallWidth);
   if (!world.points().empty())
     legend.addMark(std::to_string(world.points().size()) + " points", kPoint);
   if (!world.movingObjects().empty())
@@ -97,8 +80,7 @@ void drawLegend(MapSheet& sheet, const WorldPicture& picture)
   if (!picture.path.empty())
   {
     legend.addLine("true path", kPath, kPathWidth);
-    legend.addMark("start", kStart);
-    legend.addMark("end", kEnd);
+    legend.addEnds();
   }
   legend.draw();
 }
@@ -112,11 +94,11 @@ bool saveWorldPicture(const WorldPicture& picture, const std::string& path)
   const Eigen::Vector2d strip_m(0, kLegendStrip * bounds.sizes().maxCoeff());
   MapSheet sheet({bounds.min() - margin_m, bounds.max() + margin_m + strip_m});
   sheet.drawGrid();
-  drawPath(sheet, picture.route, kRoute, kRouteWidth);
+  sheet.drawPath(picture.route, kRoute, kRouteWidth);
   drawWorld(sheet, picture.world);
   drawMovingObjects(sheet, picture.world);
   drawDrive(sheet, placesOf(picture.path));
   drawLegend(sheet, picture);
-  return cv::imwrite(path, sheet.image());
+  return sheet.save(path);
 }
 }  // namespace psmks

@@ -10,20 +10,23 @@
 
 namespace psmks
 {
-/** Adds a scan with its observations and its pose to a map of key frames, for MRPT's map builders.
+/** Adds a scan with its observations and its pose to a map of key frames for MRPT's map builders.
  */
 void addKeyframe(const PosedScan& scan, const LaserFrame& frame, mrpt::maps::CSimpleMap& map);
 
-/** A rawlog of actions and sensory frames whose motions are those of scan matching, with their
- *  covariances: every MRPT program that reads odometry from a rawlog takes them for it.
- * Observations stay as they were; an odometry among them is left out. */
+/** Writes a rawlog of actions and sensory frames in which the motions of scan matching, with their
+ * covariances, take the place of odometry. MRPT programs that read odometry from a rawlog then use
+ * the matched motions. Observations stay as they are, except that odometry among them is left out.
+ */
 class MatchedRawlog
 {
  public:
-  /** False where the file could not be created. */
+  /** Creates the file.
+   *  @return false if it cannot be created */
   bool open(const std::string& path) { return file_.open(path); }
 
-  /** Scans in their order, each with the frame it came from. */
+  /** Appends a scan with the frame of the log that it came from. Scans have to come in their order.
+   */
   void write(const PosedScan& scan, const LaserFrame& frame);
 
  private:

@@ -11,9 +11,10 @@ namespace psmks
 namespace
 {
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr double kFontHeight_px = 22;                // of that font at scale 1
-constexpr double kBarsPerSheet = 6;                  // at least, side by side
-constexpr double kBoxShade = 0.85;                   // of the grid's colour
+constexpr double kFontHeight_px = 22;  // height of a letter at font scale 1
+constexpr double kBarsPerSheet =
+    6;  // least number of scale bars that fit side by side on the picture
+constexpr double kBoxShade = 0.85;                   // brightness of the frame relative to the grid
 constexpr double kBarWidth = 1.5, kMarkWidth = 4.5;  // hairlines
 }  // namespace
 
@@ -48,7 +49,7 @@ int MapLegend::textWidth(const std::string& text) const
   return cv::getTextSize(text, kFont, fontScale(), sheet_.strokes(1), &baseline).width;
 }
 
-/** Where the box hides least ink. */
+/** The corner whose mean brightness is highest, so that the box hides as little as possible. */
 cv::Rect MapLegend::emptiestCorner(const cv::Size& size) const
 {
   const cv::Mat& image = sheet_.image();

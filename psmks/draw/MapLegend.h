@@ -8,8 +8,8 @@
 
 namespace psmks
 {
-/** Lines of text, each behind a sample of what it names, and a bar for the scale, in the emptiest
- *  corner of a sheet. */
+/** The legend of a map's picture: rows of text, each with a sample of the line or mark that it
+ * explains, and a bar for the scale. It is drawn last, in the corner where it hides least. */
 class MapLegend
 {
  public:
@@ -23,6 +23,12 @@ class MapLegend
   void addMark(const std::string& text, const MapSheet::Colour& colour)
   {
     rows_.push_back({text, Sample::Mark, colour, 0});
+  }
+  /** Adds what MapSheet::drawEnds() draws. */
+  void addEnds()
+  {
+    addMark("start", ink::kStart);
+    addMark("end", ink::kEnd);
   }
 
   void draw();
@@ -52,7 +58,7 @@ class MapLegend
   void write(const std::string& text, const cv::Point& leftMiddle);
 
   MapSheet& sheet_;
-  int unit_;  //!< pixels: half the distance of two rows
+  int unit_;  //!< half the distance of two rows in pixels
   std::vector<Row> rows_;
 };
 }  // namespace psmks

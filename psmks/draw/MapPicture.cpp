@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 
 namespace psmks
 {
@@ -14,16 +13,14 @@ namespace
 using Colour = MapSheet::Colour;
 
 const Colour kPoint(190, 170, 140);
-const Colour kWall(70, 40, 20);
 const Colour kOdometry(140, 150, 255);
-const Colour kStart(60, 150, 30);
-const Colour kEnd(40, 30, 200);
 
 constexpr double kMargin_m = 1.0;
-constexpr double kOutlierShare = 0.002;  // of the points, on each side of the frame
+constexpr double kOutlierShare =
+    0.002;  // share of the points that may lie outside the frame on each side
 constexpr double kPathWidth = 2.2, kOdometryWidth = 1.2, kWallWidth = 1;  // hairlines
 
-/** The range of values, without the outermost ones on either side. */
+/** The range of values without the share kOutlierShare at either end. */
 std::pair<double, double> bulkOf(std::vector<double> values)
 {
   const auto skipped =
@@ -55,7 +52,7 @@ MapSheet::Frame frameOf(const ScanMap& map)
   return frame;
 }
 
-/** From violet at the start over red to orange at the end. */
+/** A colour between violet at the start and orange at the end, with red in the middle. */
 Colour pathColour(double share)
 {
   const Colour stops[] = {{170, 30, 90}, {110, 50, 210}, {20, 150, 250}};
@@ -64,7 +61,7 @@ Colour pathColour(double share)
   return stops[first] * (1 - t) + stops[first + 1] * t;
 }
 
-void drawPath(MapSheet& sheet, const std::vector<Pose2>& path)
+void drawColouredPath(MapSheet& sheet, const std::vector<Pose2>& path)
 {
   for (std::size_t i = 1; i < path.size(); ++i)
     sheet.drawLine(path[i - 1].translation(), path[i].translation(),
@@ -72,7 +69,7 @@ void drawPath(MapSheet& sheet, const std::vector<Pose2>& path)
                    kPathWidth);
 }
 
-/** Dashes of equal length along the path, whatever the spacing of its poses. */
+/** Draws a path with dashes of equal length, whatever the spacing of its poses. */
 void drawDashed(MapSheet& sheet, const std::vector<Pose2>& path, const Colour& colour)
 {
   const double dash_m = 8 * sheet.strokes(1) * sheet.pixel_m();
@@ -97,11 +94,10 @@ void drawLegend(MapSheet& sheet, const ScanMap& map, const std::string& title)
   MapLegend legend(sheet);
   legend.add(title);
   legend.addLine("points of " + std::to_string(map.path.size()) + " scans", kPoint, 2);
-  legend.addLine("segments of the reference scans", kWall, kWallWidth);
+  legend.addLine("segments of the reference scans", ink::kWall, kWallWidth);
   legend.addLine("path", pathColour(0.5), kPathWidth);
   if (!map.odometryPath.empty()) legend.addLine("odometry alone", kOdometry, kOdometryWidth);
-  legend.addMark("start", kStart);
-  legend.addMark("end", kEnd);
+  legend.addEnds();
   legend.draw();
 }
 }  // namespace
@@ -112,12 +108,11 @@ bool saveMapPicture(const ScanMap& map, const std::string& title, const std::str
   MapSheet sheet(frameOf(map));
   sheet.drawGrid();
   sheet.drawPoints(map.points_m, kPoint);
-  for (const auto& wall : map.walls) sheet.drawLine(wall.from_m, wall.to_m, kWall, kWallWidth);
+  for (const auto& wall : map.walls) sheet.drawLine(wall.from_m, wall.to_m, ink::kWall, kWallWidth);
   drawDashed(sheet, map.odometryPath, kOdometry);
-  drawPath(sheet, map.path);
-  sheet.drawMark(map.path.front().translation(), kStart);
-  sheet.drawMark(map.path.back().translation(), kEnd);
+  drawColouredPath(sheet, map.path);
+  sheet.drawEnds(placesOf(map.path));
   drawLegend(sheet, map, title);
-  return cv::imwrite(path, sheet.image());
+  return sheet.save(path);
 }
 }  // namespace psmks

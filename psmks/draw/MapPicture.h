@@ -7,12 +7,10 @@
 
 namespace psmks
 {
-/** Draws a map: overlaid points light, segments dark, the path coloured from start to end, what
- * odometry alone gives dashed, a bar for the scale and a legend. North-up: x to the right, y up.
- *
- *  2 cm a pixel, but the longer side has 1200 to 4000 pixels. The few farthest points are left
- * out of the frame.
+/** Draws a map: the points of all scans in a light colour, the segments dark, the path coloured
+ * from start to end, the path of odometry alone dashed, a bar for the scale and a legend. For
+ * directions and resolution see MapSheet. The frame leaves out the few farthest points.
  *  @param title first line of the legend
- *  @return false where the file cannot be written or the map is empty */
+ *  @return false if the file cannot be written or the map is empty */
 bool saveMapPicture(const ScanMap& map, const std::string& title, const std::string& path);
 }  // namespace psmks

@@ -6,6 +6,7 @@
 
 namespace psmks
 {
-/** A map as a scene for MRPT's viewers: grid, points, segments, path, and the robot at its end. */
+/** Makes a scene of a map for MRPT's viewers, with a grid, the points, the segments, the path, and
+ * a robot at its end. */
 mrpt::opengl::COpenGLScene::Ptr makeMapScene(const ScanMap& map);
 }  // namespace psmks

@@ -3,18 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace psmks
 {
 namespace
 {
-constexpr double kUsualPixel_m = 0.02;
-constexpr int kShortestSide_px = 1200, kLongestSide_px = 4000;  // of the longer side of a sheet
-constexpr double kHairlinesPerSheet = 900;
-constexpr double kMarkWidth = 4.5, kRimWidth = 6;  // hairlines
+constexpr double kUsualPixel_m = 0.02;  // fine enough to show the noise of a laser scanner
+constexpr int kShortestSide_px = 1200, kLongestSide_px = 4000;  // pixels of the longer side
+constexpr double kHairlinesPerSheet = 900;                      // along the longer side
+constexpr double kMarkWidth = 4.5, kRimWidth = 6;               // hairlines
 
-/** The usual resolution, finer on small and coarser on large maps. */
+/** The size of a pixel: the usual one, smaller for small maps and larger for large ones. */
 double pixelSize_m(double longerSide_m)
 {
   return std::max(std::min(kUsualPixel_m, longerSide_m / kShortestSide_px),
@@ -53,9 +54,21 @@ void MapSheet::drawPoints(const std::vector<Eigen::Vector2d>& points_m, const Co
 void MapSheet::drawLine(const Eigen::Vector2d& a_m, const Eigen::Vector2d& b_m,
                         const Colour& colour, double width)
 {
-  constexpr int kShift = 4;  // OpenCV's fixed point: sixteenths of a pixel
+  constexpr int kShift = 4;  // OpenCV takes fixed-point coordinates: here sixteenths of a pixel
   cv::line(image_, pixel(a_m, 1 << kShift), pixel(b_m, 1 << kShift), colour, strokes(width),
            cv::LINE_AA, kShift);
+}
+
+void MapSheet::drawPath(const std::vector<Eigen::Vector2d>& path_m, const Colour& colour,
+                        double width)
+{
+  for (std::size_t i = 1; i < path_m.size(); ++i) drawLine(path_m[i - 1], path_m[i], colour, width);
+}
+
+void MapSheet::drawEnds(const std::vector<Eigen::Vector2d>& path_m)
+{
+  drawMark(path_m.front(), ink::kStart);
+  drawMark(path_m.back(), ink::kEnd);
 }
 
 void MapSheet::drawMark(const Eigen::Vector2d& p_m, const Colour& colour)
@@ -74,6 +87,15 @@ cv::Point MapSheet::pixel(const Eigen::Vector2d& p_m, int parts) const
   const double scale = parts / pixel_m_;
   return {static_cast<int>(std::lround((p_m.x() - frame_.min_m.x()) * scale)),
           static_cast<int>(std::lround((frame_.max_m.y() - p_m.y()) * scale))};
+}
+
+bool MapSheet::save(const std::string& path) const { return cv::imwrite(path, image_); }
+
+std::vector<Eigen::Vector2d> placesOf(const std::vector<Pose2>& path)
+{
+  std::vector<Eigen::Vector2d> places_m;
+  for (const auto& pose : path) places_m.push_back(pose.translation());
+  return places_m;
 }
 
 double roundLength(double x)
