@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/eval/PairsFile.h>
-#include <zlib.h>
+#include <psmks/gzip/GzipLines.h>
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,8 @@ namespace
 constexpr const char* kMagic = "PSMPAIRS";
 constexpr int kVersion = 1;
 
-/** Significant digits of written numbers: exact for poses and ranges that were read from text. */
+/** Significant digits of the numbers that are written. They preserve poses and ranges that were
+ * read from text. */
 constexpr int kDigits = 12;
 
 void appendNumber(std::string& text, double value)
@@ -37,41 +38,34 @@ std::string rangesText(const Scan& scan)
   for (const double range_m : scan.range_m) appendNumber(text, range_m);
   return text.substr(1) + '\n';
 }
-
-bool endsWith(const std::string& text, std::string_view end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 }  // namespace
 
-/** The lines of the file that are neither blank nor comments, and the fields of the present one. */
+/** Reads the lines of the file that are neither blank nor comments, and the fields of the present
+ * one. */
 class PairsReader::Lines
 {
  public:
-  explicit Lines(const std::string& path) : path_(path), file_(gzopen(path.c_str(), "rb"))
+  explicit Lines(const std::string& path) : path_(path), lines_(path)
   {
-    if (file_ == nullptr) throw PairsFileError(path + ": cannot be opened");
-  }
-  ~Lines() { gzclose(file_); }
-  Lines(const Lines&) = delete;
-  Lines& operator=(const Lines&) = delete;
-
-  [[noreturn]] void fail(const std::string& reason) const
-  {
-    throw PairsFileError(path_ + ", line " + std::to_string(number_) + ": " + reason);
+    if (!lines_.isOpen()) throw PairsFileError(path + ": cannot be opened");
   }
 
-  /** Moves to the next line, which has to exist. */
+  /** Refuses the line read last. */
+  [[noreturn]] void fail(const std::string& reason) const { fail(lines_.number(), reason); }
+
+  /** Moves to the next line.
+   *  @throws PairsFileError if there is none */
   void next(const std::string& wanted)
   {
     do
     {
-      if (!readLine()) fail("the file ends where " + wanted + " should follow");
+      if (!lines_.next(line_)) failAtEnd(wanted);
       rest_ = line_;
     } while (rest_.find_first_not_of(" \t\r") == std::string_view::npos || rest_.front() == '#');
   }
 
-  /** Moves to the next line, which has to begin with this word. */
+  /** Moves to the next line.
+   *  @throws PairsFileError if there is none or it does not begin with the keyword */
   void next(const char* keyword, const std::string& wanted)
   {
     next(wanted);
@@ -93,22 +87,16 @@ class PairsReader::Lines
   }
 
  private:
-  bool readLine()
+  [[noreturn]] void fail(int line, const std::string& reason) const
   {
-    line_.clear();
-    ++number_;
-    std::array<char, 4096> buffer{};
-    while (gzgets(file_, buffer.data(), static_cast<int>(buffer.size())) != nullptr)
-    {
-      line_ += buffer.data();
-      if (line_.back() != '\n') continue;
-      line_.pop_back();
-      return true;
-    }
-    int error = Z_OK;
-    gzerror(file_, &error);
-    if (error != Z_OK && error != Z_STREAM_END) fail("the compressed data is damaged or cut off");
-    return !line_.empty();
+    throw PairsFileError(path_ + ", line " + std::to_string(line) + ": " + reason);
+  }
+
+  [[noreturn]] void failAtEnd(const std::string& wanted) const
+  {
+    const std::string damage = lines_.error();
+    fail(lines_.number() + 1,
+         damage.empty() ? "the file ends where " + wanted + " should follow" : damage);
   }
 
   std::string_view field()
@@ -133,20 +121,19 @@ class PairsReader::Lines
     return value;
   }
 
-  /** The beginning of the line, fit for a message whatever the file holds. */
+  /** The beginning of the line for a message, with control characters replaced. */
   std::string shortLine() const
   {
-    std::string text = line_.substr(0, 40);
+    std::string text(line_.substr(0, 40));
     for (char& c : text)
       if (c < ' ' || c > '~') c = '?';
     return text;
   }
 
   std::string path_;
-  gzFile file_;
-  std::string line_;
-  std::string_view rest_;
-  int number_ = 0;
+  GzipLines lines_;
+  std::string_view line_;  //!< the present line
+  std::string_view rest_;  //!< the part of it that was not read yet
 };
 
 PairsReader::PairsReader(const std::string& path) : lines_(std::make_unique<Lines>(path))
@@ -208,10 +195,9 @@ void PairsReader::readRanges(Scan& scan)
   lines_->end();
 }
 
-PairsWriter::PairsWriter(const std::string& path, const PairsHeader& header)
-    : path_(path), file_(gzopen(path.c_str(), endsWith(path, ".gz") ? "wb" : "wbT"))
+PairsWriter::PairsWriter(const std::string& path, const PairsHeader& header) : path_(path)
 {
-  if (!file_) throw PairsFileError(path + ": cannot be created");
+  if (!file_.open(path)) throw PairsFileError(path + ": cannot be created");
   std::string text = std::string(kMagic) + ' ' + std::to_string(kVersion) + "\nlaser " +
                      std::to_string(header.grid.count());
   appendNumber(text, header.grid.firstBearing_rad());
@@ -219,8 +205,6 @@ PairsWriter::PairsWriter(const std::string& path, const PairsHeader& header)
   appendNumber(text, header.maxRange_m);
   put(text + "\nnpairs " + std::to_string(header.pairs) + '\n');
 }
-
-PairsWriter::~PairsWriter() = default;
 
 void PairsWriter::write(const ScanPair& pair)
 {
@@ -232,16 +216,11 @@ void PairsWriter::write(const ScanPair& pair)
 
 void PairsWriter::close()
 {
-  if (gzclose(static_cast<gzFile>(file_.release())) != Z_OK)
-    throw PairsFileError(path_ + ": cannot be written");
+  if (!file_.close()) throw PairsFileError(path_ + ": cannot be written");
 }
 
 void PairsWriter::put(const std::string& text)
 {
-  const auto size = static_cast<unsigned>(text.size());
-  if (gzwrite(static_cast<gzFile>(file_.get()), text.data(), size) != static_cast<int>(size))
-    throw PairsFileError(path_ + ": cannot be written");
+  if (!file_.write(text)) throw PairsFileError(path_ + ": cannot be written");
 }
-
-void PairsWriter::GzipClose::operator()(void* file) const { gzclose(static_cast<gzFile>(file)); }
 }  // namespace psmks

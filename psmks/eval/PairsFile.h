@@ -3,6 +3,7 @@
 
 #include <psmks/geometry/Pose2.h>
 #include <psmks/geometry/Scan.h>
+#include <psmks/gzip/GzipOutput.h>
 
 #include <memory>
 #include <stdexcept>
@@ -10,14 +11,15 @@
 
 namespace psmks
 {
-/** A pairs file that cannot be opened, read on or written; the text names file, line and reason. */
+/** A file of scan pairs that cannot be opened, read or written. The text gives file, line and
+ * reason. */
 class PairsFileError : public std::runtime_error
 {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/** Two scans and the true motion between them. */
+/** Two scans, the true motion between them and that measured by odometry. */
 struct ScanPair
 {
   int id = 0;
@@ -26,7 +28,7 @@ struct ScanPair
   Scan reference, current;  //!< range 0 = no return
 };
 
-/** What all pairs of a file share. */
+/** The properties that all pairs of a file share. */
 struct PairsHeader
 {
   BeamGrid grid;
@@ -44,8 +46,8 @@ struct PairsHeader
  *     <ranges of the reference scan, m, 0 = no return>
  *     <ranges of the current scan>
  *
- * Every member function throws PairsFileError where the file breaks this format. Pairs read before
- * the damage stay good. */
+ * Every member function throws PairsFileError if the file breaks this format. Pairs that were read
+ * before the damage are valid. */
 class PairsReader
 {
  public:
@@ -54,7 +56,8 @@ class PairsReader
 
   const PairsHeader& header() const { return header_; }
 
-  /** The next pair, or false after the last one that the header promises. */
+  /** Reads the next pair.
+   *  @return false after the last pair that the header announces */
   bool read(ScanPair& pair);
 
  private:
@@ -67,30 +70,26 @@ class PairsReader
   int pairsRead_ = 0;
 };
 
-/** Writes such a file: gzipped where the name ends in ".gz". */
+/** Writes a file in the format of PairsReader, gzipped if its name ends in ".gz". */
 class PairsWriter
 {
  public:
-  /** @throws PairsFileError where the file cannot be created */
+  /** Creates the file.
+   *  @throws PairsFileError if it cannot be created */
   PairsWriter(const std::string& path, const PairsHeader& header);
 
-  /** Closes the file if close() was not called, without a word about errors. */
-  ~PairsWriter();
-
-  /** @throws PairsFileError where the file cannot be written to */
+  /** Appends a pair.
+   *  @throws PairsFileError if the file cannot be written */
   void write(const ScanPair& pair);
 
-  /** @throws PairsFileError where the last bytes cannot be written */
+  /** Has to be called after the last pair: without it, errors of the last bytes stay unnoticed.
+   *  @throws PairsFileError if they cannot be written */
   void close();
 
  private:
   void put(const std::string& text);
 
   std::string path_;
-  struct GzipClose
-  {
-    void operator()(void* file) const;
-  };
-  std::unique_ptr<void, GzipClose> file_;
+  GzipOutput file_;
 };
 }  // namespace psmks

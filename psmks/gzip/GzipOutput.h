@@ -7,17 +7,21 @@
 
 namespace psmks
 {
-/** A file to write, gzipped where its name ends in ".gz". */
+/** A file to write, gzipped if its name ends in ".gz", plain otherwise. The destructor closes it
+ * without reporting errors. */
 class GzipOutput
 {
  public:
-  /** False where the file cannot be created. */
+  /** Creates the file.
+   *  @return false if it cannot be created */
   bool open(const std::string& path);
 
-  /** False where the file cannot be written to. */
+  /** Appends a text. The file must be open.
+   *  @return false if it cannot be written */
   bool write(std::string_view text);
 
-  /** False where the last bytes cannot be written. */
+  /** Writes what is buffered and closes the file. The file must be open.
+   *  @return false if the last bytes cannot be written */
   bool close();
 
  private:
@@ -25,6 +29,6 @@ class GzipOutput
   {
     void operator()(void* file) const;
   };
-  std::unique_ptr<void, Close> file_;  //!< gzFile, which would bring zlib.h in here
+  std::unique_ptr<void, Close> file_;  //!< a gzFile; naming that type here would need zlib.h
 };
 }  // namespace psmks

@@ -16,7 +16,8 @@ std::optional<double> firstOf(const std::optional<double>& a, const std::optiona
   return a ? a : b ? b : c;
 }
 
-/** A parameter of CARMEN's "laser" or "robot" module. */
+/** The value of a parameter of CARMEN's "laser" or "robot" module; nothing if the log does not
+ * state it. */
 std::optional<double> parameterOf(const CarmenSurvey& survey, const std::string& name)
 {
   const auto found = survey.parameters.find(name);
@@ -54,7 +55,7 @@ Pose2 mountingOfParameters(const CarmenSurvey& survey, bool rear)
           parameterOf(survey, side + "_side_offset").value_or(0), rear ? kPi : 0};
 }
 
-/** See BeamGrid. */
+/** Whether so many rays with this increment do not exceed the circle, see BeamGrid. */
 bool fitsRound(double increment_rad, int rays) { return increment_rad * (rays - 0.5) <= 2 * kPi; }
 
 double spread_rad(double fieldOfView_rad, int rays)

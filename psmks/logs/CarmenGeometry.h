@@ -10,42 +10,43 @@
 
 namespace psmks
 {
-/** What is known of the scanner of a message: by the user, by the message, by the log's parameters
- *  and by its readings, in this order. */
+/** The geometry of the scanner of a CARMEN log. The sources in the order of their priority are the
+ * user, the message, the parameters of the log and the readings. */
 class CarmenGeometry
 {
  public:
   CarmenGeometry(const std::string& sensor, const CarmenSurvey& survey,
                  const CarmenOptions& options);
 
-  /** Steps of the increment that a field of view has which so many rays fill. */
+  /** The number of increments that the field of view of so many rays has. */
   static int stepsOf(int rays);
 
-  /** Where the sensor sits: a FLASER straight ahead, an RLASER looking back, at the offset that
-   *  parameters state; a ROBOTLASER where its messages put it. */
+  /** The mounting of the sensor. A FLASER looks straight ahead and an RLASER back, at the offset
+   * that the parameters state. The messages of a ROBOTLASER state its mounting. */
   const Pose2& T_robot_sensor() const { return T_robot_sensor_; }
 
-  /** The bearings of so many rays.
+  /** The bearings of a scan.
    *
-   * Where nothing states the field of view it is the half circle, from -90 degrees on: with an even
-   * number of rays, the ray at +90 degrees is missing.
+   * If nothing states the field of view, it is the half circle, beginning at -90 degrees. With an
+   * even number of rays the ray at +90 degrees is missing.
    *
    *     rays       181     180     361     360
    *     every      1 deg   1 deg   0.5     0.5 deg
    *     last ray   +90     +89     +90     +89.5 deg
    *
-   * An angle between rays by which they would go round more than once is taken for a mistake. */
+   * A stated increment with which the rays would exceed the circle is ignored. */
   const BeamGrid& grid(const CarmenScanner& stated, int rays);
 
-  /** Readings at or beyond it are no returns. */
+  /** The range at or beyond which readings are no returns. */
   double maxRange_m(const CarmenScanner& stated) const;
 
-  /** Time in which the beam goes once round: of the SICK LMS (75 turns a second), for which the
-   * messages without a scanner's description were made, and of the SICK PLS (25); 0 for others.
-   *  Source: SICK, technical descriptions LMS 200 / 211 / 221 / 291 and PLS 101. */
+  /** The time of one turn of the beam. It is known for the SICK LMS (75 turns a second), for which
+   * the messages without a description of the scanner were made, and for the SICK PLS (25 turns a
+   * second); 0 for others.
+   * Source: SICK, technical descriptions LMS 200 / 211 / 221 / 291 and PLS 101. */
   static double beamTurn_s(const std::optional<CarmenScanner>& stated);
 
-  /** Whether nothing but the number of its rays tells where they point to. */
+  /** Whether the bearings of the rays follow from their number alone. */
   bool isGuessed(const CarmenScanner& stated, int rays) const;
 
  private:
@@ -53,6 +54,6 @@ class CarmenGeometry
   CarmenScanner parameters_;
   NoReturnReading noReturn_;
   Pose2 T_robot_sensor_;
-  BeamGrid grid_;  //!< of the last message: most scans share theirs
+  BeamGrid grid_;  //!< grid of the last message, for most scans share theirs
 };
 }  // namespace psmks

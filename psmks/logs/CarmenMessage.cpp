@@ -10,7 +10,7 @@ namespace psmks
 {
 namespace
 {
-/** The words of a line, one after the other. */
+/** Reads the words of a line one after the other. */
 class Words
 {
  public:
@@ -18,7 +18,7 @@ class Words
 
   bool isAtEnd() const { return rest_.empty(); }
 
-  /** Empty after the last one. */
+  /** The next word; empty after the last one. */
   std::string_view next()
   {
     const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
@@ -45,11 +45,12 @@ class Words
   std::string_view rest_;
 };
 
-/** Words of a message after its readings. */
+/** Numbers of words in the parts of a message after its readings. */
 constexpr std::size_t kStampWords = 3, kPoseWords = 3, kRobotLaserStateWords = 5;
 constexpr std::size_t kAfterRobotLaser = 2 * kPoseWords + kRobotLaserStateWords + kStampWords;
 
-/** Any number, NaN and infinity included. */
+/** Reads a number, which may be NaN or infinite.
+ *  @return false if the word is not a number */
 template <class Number>
 bool read(Words& words, Number& value)
 {
@@ -90,7 +91,8 @@ bool readRanges(Words& words, std::vector<double>& ranges_m)
   return true;
 }
 
-/** The end of every message. Some programs write no number for the logger's stamp. */
+/** Reads the end of a message. Some programs write something else than a number for the stamp of
+ * the logger. */
 bool readStamps(Words& words, CarmenMessage& message)
 {
   if (!readFinite(words, message.ipcStamp_s)) return false;
@@ -120,7 +122,7 @@ bool readScanner(Words& words, CarmenScanner& scanner)
   return true;
 }
 
-/** Old logs lack the list of remissions: the number of words tells. */
+/** Skips the list of remissions. Old logs do not have it, which shows in the number of words. */
 bool skipRemissions(Words& words)
 {
   if (words.count() == kAfterRobotLaser) return true;

@@ -16,17 +16,18 @@ enum class CarmenKind
   Odometry,   //!< ODOM
   Parameter,  //!< PARAM
   Other,      //!< a message of another name, a comment, a blank line
-  Malformed   //!< a scan or an odometry whose numbers are not what their message asks for
+  Malformed   //!< a scan or odometry message with wrong or missing numbers
 };
 
-/** What a ROBOTLASER message says of its scanner; none where the value makes no sense. */
+/** The description of the scanner in a ROBOTLASER message. A member is empty if its value makes no
+ * sense. */
 struct CarmenScanner
 {
   std::optional<double> firstBearing_rad, fieldOfView_rad, increment_rad, maxRange_m, sigma_m;
-  std::optional<int> type;  //!< CARMEN's number of the kind of scanner: 0 SICK LMS, 1 SICK PLS, ...
+  std::optional<int> type;  //!< kind of scanner as numbered by CARMEN: 0 SICK LMS, 1 SICK PLS, ...
 };
 
-/** One line of a CARMEN log. Which fields count depends on the kind.
+/** One line of a CARMEN log. Its kind decides which fields are set.
  *
  *     FLASER n r1 .. rn  x y theta  odom_x odom_y odom_theta  ipc host logger
  *     ROBOTLASER1 type start fov resolution max accuracy remission_mode n r1 .. rn [m s1 .. sm]
@@ -34,21 +35,22 @@ struct CarmenScanner
  *     ODOM x y theta  tv rv acceleration  ipc host logger
  *     PARAM name value  ipc host logger
  *
- * Metres and radians; ranges from the right to the left. */
+ * All values are in metres and radians; ranges go from the right to the left. */
 struct CarmenMessage
 {
   CarmenKind kind = CarmenKind::Other;
-  std::string name;              //!< FLASER, ODOM, ..., or that of the parameter
-  double value = 0;              //!< of a parameter
-  std::vector<double> ranges_m;  //!< NaN and infinity where the log says so
+  std::string name;              //!< name of the message, such as FLASER, or of the parameter
+  double value = 0;              //!< value of a parameter
+  std::vector<double> ranges_m;  //!< may be NaN or infinite, as in the log
   std::optional<CarmenScanner> scanner;
-  Pose2 T_odom_laser;        //!< of a FLASER often another estimate of the robot's pose
-  Pose2 T_odom_robot;        //!< as the wheels measured it
+  Pose2 T_odom_laser;        //!< of a FLASER often a corrected pose of the robot
+  Pose2 T_odom_robot;        //!< measured by odometry
   double ipcStamp_s = 0;     //!< when the message was made
-  double loggerStamp_s = 0;  //!< when it was logged; often since the logger's start; 0 = none
+  double loggerStamp_s = 0;  //!< when it was logged, often since the logger's start; 0 = none
 };
 
-/** Parses a line without its end. A parameter that is no number is Other.
- *  @param[out] message replaced; its buffers are used again */
+/** Parses a line. A parameter that is not a number has the kind Other.
+ *  @param line without its end
+ *  @param[out] message overwritten; its buffers are used again */
 void parseCarmenMessage(std::string_view line, CarmenMessage& message);
 }  // namespace psmks

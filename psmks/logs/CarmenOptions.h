@@ -8,11 +8,12 @@ namespace psmks
 /** The two times of a CARMEN message. */
 enum class CarmenStamp
 {
-  Ipc,    //!< when it was made
-  Logger  //!< when it was logged
+  Ipc,    //!< when the message was made
+  Logger  //!< when the message was logged
 };
 
-/** What a user knows of a CARMEN log; goes before what the log says. */
+/** What a user knows about the scanner of a CARMEN log. It has priority over what the log states.
+ */
 struct CarmenOptions
 {
   std::optional<double> increment_rad;    //!< between neighbouring rays

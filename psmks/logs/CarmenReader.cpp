@@ -23,7 +23,7 @@ std::string counted(int count, const std::string& thing)
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
-/** An infinite range is no return even where nothing limits the range. */
+/** Converts a message to a scan. An infinite range is no return, also without a maximum range. */
 Scan toScan(const CarmenMessage& message, CarmenGeometry& geometry)
 {
   const CarmenScanner stated = message.scanner.value_or(CarmenScanner());
@@ -86,7 +86,8 @@ bool CarmenReader::next(LaserFrame& frame)
   return false;
 }
 
-/** @return whether the message completed the frame */
+/** Adds a message to the present frame.
+ *  @return whether the message completed the frame */
 bool CarmenReader::take(LaserFrame& frame)
 {
   if (message_.kind == CarmenKind::Other || message_.kind == CarmenKind::Malformed) return false;

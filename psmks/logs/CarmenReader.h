@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/gzip/GzipLines.h>
 #include <psmks/logs/CarmenGeometry.h>
-#include <psmks/logs/CarmenLines.h>
 #include <psmks/logs/CarmenOptions.h>
 #include <psmks/logs/CarmenSurvey.h>
 #include <psmks/logs/LogReader.h>
@@ -15,20 +15,21 @@
 
 namespace psmks
 {
-/** Reads a log of the Carnegie Mellon Robot Navigation Toolkit, gzipped or not. Its sensors are
- * called like their messages: FLASER, RLASER, ROBOTLASER1, ROBOTLASER2.
+/** Reads a log of the Carnegie Mellon Robot Navigation Toolkit (CARMEN), gzipped or not. A sensor
+ * has the name of its messages: FLASER, RLASER, ROBOTLASER1, ROBOTLASER2.
  *
- * - Odometry is that of the robot in the scans' messages; that of the ODOM messages where the
- *   scans' is zero throughout; none where both are.
- * - Scans stand in the order of the file and keep their stamps, even such as repeat or go back.
- * - A message whose numbers are not what they should be is skipped; see remarks(). A range that is
- *   NaN, infinite or not above 0 is no return.
- * - For bearings, mounting and range limit see CarmenGeometry. */
+ * - Odometry is the pose of the robot in the messages of the scans. If it is zero throughout, that
+ * of the ODOM messages is used. If this is zero as well, there is none.
+ * - Scans come in the order of the file and keep their stamps, even if these repeat or go
+ * backwards.
+ * - A malformed message is skipped; see remarks(). A range that is NaN, infinite or not positive is
+ *   no return.
+ * - For bearings, mounting and maximum range see CarmenGeometry. */
 class CarmenReader : public LogReader
 {
  public:
-  /** Goes through the log once, to its end.
-   *  @param sensorLabel the sensor to read; none: that of the first scan in the log */
+  /** Reads the whole log once to find its sensors, stamps and parameters.
+   *  @param sensorLabel the sensor to read; by default that of the first scan in the log */
   explicit CarmenReader(const std::string& path,
                         std::optional<std::string> sensorLabel = std::nullopt,
                         const CarmenOptions& options = CarmenOptions());
@@ -53,7 +54,7 @@ class CarmenReader : public LogReader
   std::optional<Pose2> odometryAt(double stamp_s) const;
 
   CarmenSurvey survey_;
-  CarmenLines lines_;
+  GzipLines lines_;
   std::optional<std::string> sensorLabel_;
   std::optional<CarmenStamp> stamp_;
   CarmenOdometry odometry_;
@@ -64,10 +65,10 @@ class CarmenReader : public LogReader
   int stampsMadeUp_ = 0;
 
   CarmenMessage message_;
-  mrpt::obs::CSensoryFrame observations_;  //!< since the last frame
+  mrpt::obs::CSensoryFrame observations_;  //!< those since the last frame
   double lastStamp_s_ = 0;
-  OdometryTrack track_;               //!< of the ODOM messages, by their stamps
-  std::optional<Pose2> T_odom_read_;  //!< by the last ODOM message
-  std::optional<Pose2> T_odom_last_;  //!< at the last frame
+  OdometryTrack track_;               //!< poses of the ODOM messages by their stamps
+  std::optional<Pose2> T_odom_read_;  //!< pose of the last ODOM message
+  std::optional<Pose2> T_odom_last_;  //!< pose at the last frame
 };
 }  // namespace psmks

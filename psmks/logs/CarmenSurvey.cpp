@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/logs/CarmenLines.h>
+#include <psmks/gzip/GzipLines.h>
 #include <psmks/logs/CarmenSurvey.h>
 
 #include <cmath>
@@ -8,12 +8,12 @@ namespace psmks
 {
 namespace
 {
-/** By less than this, poses written with few digits put one mounting apart. */
+/** Mountings that differ by less are the same: poses in logs have few digits. */
 constexpr double kMountingTolerance_m = 0.01, kMountingTolerance_rad = 0.01;
 
 bool isZero(const Pose2& pose) { return pose.x_m == 0 && pose.y_m == 0 && pose.phi_rad == 0; }
 
-bool isFar(const Pose2& difference)
+bool isAnotherMounting(const Pose2& difference)
 {
   return difference.translation().norm() > kMountingTolerance_m ||
          std::abs(difference.phi_rad) > kMountingTolerance_rad;
@@ -63,7 +63,7 @@ void CarmenSensorSurvey::add(const CarmenMessage& message, int line)
     rays = static_cast<int>(message.ranges_m.size());
     T_robot_sensor = mounting;
   }
-  mountingVaries |= isFar(T_robot_sensor.inverse() * mounting);
+  mountingVaries |= isAnotherMounting(T_robot_sensor.inverse() * mounting);
   odometryIsZero &= isZero(message.T_odom_robot);
   ipc.add(message.ipcStamp_s, line);
   logger.add(message.loggerStamp_s, line);
@@ -91,7 +91,7 @@ CarmenOdometry CarmenSurvey::odometryOf(const std::string& sensor) const
 CarmenSurvey surveyCarmenLog(const std::string& path)
 {
   CarmenSurvey survey;
-  CarmenLines lines(path);
+  GzipLines lines(path);
   survey.exists = lines.isOpen();
   CarmenMessage message;
   for (std::string_view line; lines.next(line);)

@@ -11,7 +11,7 @@
 
 namespace psmks
 {
-/** How often something was met, and in which line first. */
+/** The number of occurrences of something in a log, and the line of the first one. */
 struct CarmenFinding
 {
   int times = 0;
@@ -23,61 +23,63 @@ struct CarmenFinding
   }
 };
 
-/** One of the two stamps of the scans of a sensor. */
+/** Statistics of one of the two stamps of the scans of a sensor. */
 struct CarmenStampSurvey
 {
   int stamps = 0;
   double last_s = 0;
-  bool isAboveZero = false;  //!< at least once
+  bool isAboveZero = false;  //!< whether one of the stamps is above zero
   bool changes = false;
   CarmenFinding repeated, backwards;
 
   void add(double stamp_s, int line);
 
-  /** Whether they tell the time. */
+  /** Whether the stamps can be times: they are not all zero, and not all the same. */
   bool isMeaningful() const { return isAboveZero && (changes || stamps == 1); }
 };
 
-/** The scans of a sensor. */
+/** Statistics of the scans of a sensor. */
 struct CarmenSensorSurvey
 {
   int scans = 0;
-  int rays = 0;                 //!< of the first scan
-  bool odometryIsZero = true;   //!< throughout
-  Pose2 T_robot_sensor;         //!< where a ROBOTLASER puts it in its first message
-  bool mountingVaries = false;  //!< too far to be one, in a later message
+  int rays = 0;                 //!< number of rays of the first scan
+  bool odometryIsZero = true;   //!< whether the odometry of all scans is zero
+  Pose2 T_robot_sensor;         //!< mounting according to the first message of a ROBOTLASER
+  bool mountingVaries = false;  //!< whether a later message has another mounting
   CarmenStampSurvey ipc, logger;
   NoReturnReading noReturn;
 
   void add(const CarmenMessage& message, int line);
 };
 
-/** The messages that say how the robot moved. */
+/** The messages that the odometry of the robot is taken from. */
 enum class CarmenOdometry
 {
   None,
   Scans,
-  OdometryMessages  //!< since the odometry of the scans is zero throughout
+  OdometryMessages  //!< because the odometry of all scans is zero
 };
 
-/** What must be known of a whole CARMEN log before its first scan can be read. */
+/** What has to be known about a whole CARMEN log before its first scan can be read. */
 struct CarmenSurvey
 {
   bool exists = false;
   int lines = 0;
-  int messages = 0;  //!< of the kinds that are read, malformed ones included
+  int messages = 0;  //!< number of those that are read, including malformed ones
   CarmenFinding malformed;
-  std::map<std::string, double> parameters;  //!< those that are numbers; the last one counts
+  std::map<std::string, double> parameters;  //!< those that are numbers; the last value counts
   std::map<std::string, CarmenSensorSurvey> sensors;
   std::string firstSensor;
-  bool odometryMoves = false;  //!< that of the ODOM messages
-  std::string error;           //!< see CarmenLines::error()
+  bool odometryMoves = false;  //!< whether an ODOM message has a pose other than zero
+  std::string error;           //!< see GzipLines::error()
 
-  /** The stamp to go by: the one asked for, else IPC's, if it is meaningful. None where there is
-   *  none. */
+  /** The stamp to use for a sensor: the wanted one, or by default that of IPC, else that of the
+   * logger. A stamp that is not meaningful is not used.
+   *  @return nothing if there is no such stamp */
   std::optional<CarmenStamp> stampOf(const std::string& sensor,
                                      const std::optional<CarmenStamp>& wanted) const;
 
+  /** The messages to take the odometry of a sensor from. */
   CarmenOdometry odometryOf(const std::string& sensor) const;
 };
 

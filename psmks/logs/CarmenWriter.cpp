@@ -12,10 +12,10 @@ namespace psmks
 {
 namespace
 {
-/** Two scanners are one where they differ by less. */
+/** Two scanner geometries are the same if they differ by less. */
 constexpr double kTolerance_m = 1e-6, kTolerance_deg = 1e-4;
 
-/** As few digits as give the number back. */
+/** A blank and the shortest text that reads back as the same number. */
 template <class Number>
 std::string word(Number value)
 {
@@ -37,8 +37,8 @@ std::string parameter(const std::string& name, double value)
   return "PARAM " + name + word(value) + " 0 psmks 0\n";
 }
 
-/** The angle between rays. A round number of degrees where the aperture was made of one: a float
- *  does not hold it. */
+/** The angle between rays. The aperture is a float, so if a multiple of 1e-4 degrees gives the same
+ * float, this multiple is taken. */
 double increment_deg(float aperture_rad, int rays)
 {
   constexpr double kRoundTo = 1e4;
@@ -67,7 +67,8 @@ bool CarmenWriter::write(const LaserFrame& frame)
   return file_.write(text);
 }
 
-/** A scan that closes the circle has rays less than its observation, and is not symmetric. */
+/** A scan that closes the circle has fewer rays than its observation, and its rays are not
+ * symmetric about the x axis. */
 CarmenWriter::Scanner CarmenWriter::scannerOf(const LaserFrame& frame) const
 {
   const BeamGrid& grid = scan_.grid;
@@ -124,7 +125,7 @@ std::string CarmenWriter::robotLaser(const LaserFrame& frame) const
          noSafety;
 }
 
-/** MRPT's ranges are floats. */
+/** Writes ranges as floats, for those of MRPT are floats. */
 std::string CarmenWriter::ranges() const
 {
   std::string text = ' ' + std::to_string(scan_.range_m.size());

@@ -10,30 +10,34 @@
 
 namespace psmks
 {
-/** Writes the scans of one sensor and the odometry as a CARMEN log, gzipped where its name ends in
+/** Writes the scans of one sensor and the odometry as a CARMEN log, gzipped if its name ends in
  * ".gz".
  *
- * The messages are FLASER, which every program reads, where the scanner sits on the robot's long
- * axis, looks straight ahead and begins with the bearing that CarmenGeometry expects; else
- * ROBOTLASER1. Numbers have as many digits as it takes to read the same number back. Where the log
- * has no odometry, the robot stands still. CARMEN knows no tilt: it is lost. */
+ * The messages are FLASER, which every program reads, if the scanner is mounted on the x axis of
+ * the robot, looks straight ahead and begins with the bearing that CarmenGeometry expects.
+ * Otherwise they are ROBOTLASER1. Numbers have as many digits as are needed to read the same number
+ * back. If the log has no odometry, the robot stands still in the CARMEN log. CARMEN logs have no
+ * tilt, so a tilt of the scanner is lost. */
 class CarmenWriter
 {
  public:
-  /** False where the file cannot be created. */
+  /** Creates the file.
+   *  @return false if it cannot be created */
   bool open(const std::string& path) { return file_.open(path); }
 
-  /** Leaves out a scan of fewer than two rays.
-   *  @return false where the file cannot be written to
-   *  @throws std::runtime_error where the scanner has other bearings or another place than before:
-   *          a CARMEN log holds one mounting */
+  /** Appends a scan. Scans of fewer than two rays are left out.
+   *  @return false if the file cannot be written
+   *  @throws std::runtime_error if bearings or mounting differ from those of the first scan,
+   *      for a CARMEN log has one mounting */
   bool write(const LaserFrame& frame);
 
-  /** False where the last bytes cannot be written. */
+  /** Closes the file.
+   *  @return false if the last bytes cannot be written */
   bool close() { return file_.close(); }
 
  private:
-  /** What stays the same from scan to scan. Bearings are symmetric about the sensor's x axis. */
+  /** The geometry of the scanner, which is the same for all scans. The bearings are symmetric about
+   * the x axis of the sensor. */
   struct Scanner
   {
     Pose2 T_robot_sensor;
@@ -53,7 +57,7 @@ class CarmenWriter
   GzipOutput file_;
   ScanConverter converter_;
   Scan scan_;
-  std::optional<Scanner> scanner_;  //!< none before the first scan
+  std::optional<Scanner> scanner_;  //!< empty before the first scan
   Pose2 T_start_robot_;
 };
 }  // namespace psmks

@@ -12,61 +12,66 @@
 
 namespace psmks
 {
-/** One scan of a log, with what led to it. */
+/** One scan of a log, and everything that the log holds since the scan before. */
 struct LaserFrame
 {
   mrpt::obs::CObservation2DRangeScan::Ptr scan;
 
-  /** Time of the scan, seconds since the epoch; of its actions, or made up, where it has none. */
+  /** Time of the scan in seconds since the epoch. If the scan has no stamp, it is that of its
+   * actions or made up, see LogReader::stampsMadeUp(). */
   double stamp_s = 0;
 
-  /** Motion of the robot since the frame before, as its wheels measured it; none where they did
-   * not. */
+  /** The motion of the robot since the frame before, measured by odometry; nothing if there is
+   * none.
+   */
   std::optional<Pose2> odometry;
 
-  /** Time in which the scanner's beam goes once round; 0 where the log does not tell. */
+  /** The time of one turn of the scanner's beam; 0 if it is unknown. */
   double beamTurn_s = 0;
 
-  /** Everything observed since the frame before, this scan included, odometry left out. */
+  /** All observations since the frame before, including this scan and without odometry. */
   mrpt::obs::CSensoryFrame observations;
 };
 
-/** Between scans of a log without any stamps. */
+/** The time between two scans of a log without any stamps. */
 constexpr double kAssumedPeriod_s = 0.1;
 
 /** Reads the scans of one sensor from a log, in the order of the file.
  *
- * Nothing here throws for a damaged file: what can be read is read, damage() and remarks() say what
- * could not. */
+ * A damaged file causes no exception. What can be read is read; damage() and remarks() say what
+ * could not be read. */
 class LogReader
 {
  public:
   virtual ~LogReader() = default;
 
-  /** The next scan; false at the end of the log or of what can be read of it. */
+  /** Reads the next scan.
+   *  @return false at the end of the log, or of what can be read of it */
   virtual bool next(LaserFrame& frame) = 0;
 
-  /** Why the log ended before its end, as half a sentence: "read 12 entries, then: ..."; empty for
-   * a whole log. */
+  /** Why reading ended before the end of the log, as a part of a sentence such as "read 12 entries,
+   * then: ..."; empty if all of it was read. */
   virtual const std::string& damage() const = 0;
 
-  /** What a user should know of a log that was read to its end, a sentence each, without a full
-   * stop: entries that were skipped, stamps that repeat. Complete after the last scan. */
+  /** What a user should know about a log although it was read to its end, such as skipped entries
+   * and stamps that repeat. Each remark is a sentence without a full stop. The list is complete
+   * after the last scan. */
   virtual std::vector<std::string> remarks() const { return {}; }
 
-  /** Entries of the log read so far, of whatever class. */
+  /** The number of entries of any kind that were read so far. */
   virtual int entriesRead() const = 0;
 
-  /** The sensor that is read; none before the first scan unless one was asked for. */
+  /** The sensor whose scans are read; nothing before the first scan, unless a sensor was chosen. */
   virtual const std::optional<std::string>& sensorLabel() const = 0;
 
-  /** How many 2D scans of which sensor were met so far. */
+  /** The number of 2D scans of each sensor so far. */
   virtual const std::map<std::string, int>& scansOfSensors() const = 0;
 
-  /** Scans whose time had to be made up: neither they nor their actions have a stamp. */
+  /** The number of scans whose time had to be made up because neither they nor their actions have a
+   * stamp. */
   virtual int stampsMadeUp() const = 0;
 
-  /** For progress bars, 0 to 1. */
+  /** The share of the log that was read, 0 to 1, for progress bars. */
   virtual double shareRead() const = 0;
 };
 }  // namespace psmks

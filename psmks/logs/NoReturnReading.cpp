@@ -10,7 +10,7 @@ namespace
 {
 constexpr double kSickRange_m = 80, kSickLargestCode_m = 81.92;
 constexpr double kBin_m = 0.05, kLastBin_m = 200;
-constexpr double kNeighbourhood = 0.9;  // of the largest reading
+constexpr double kNeighbourhood = 0.9;  // as a share of the largest reading
 constexpr double kFewestTimes = 10;
 
 std::size_t binOf(double range_m)

@@ -5,11 +5,11 @@
 
 namespace psmks
 {
-/** Finds out from the ranges of a log what its scanner reads where nothing is met: many logs do not
- * say.
+/** Finds out from the ranges of a log which reading means "no return", for many logs do not say it.
  *
- * SICK's scanners count to 8191 cm and use the values from 8183 on as codes, at up to 80 m of
- * range. Of other scanners the largest reading is taken for "no return" where it stands out:
+ * SICK scanners with ranges up to 80 m count to 8191 cm and use the values from 8183 on as error
+ * codes. For other scanners the largest reading means "no return" if it is much more frequent than
+ * the readings near it:
  *
  *     readings |                                #
  *              |  # #                           #
@@ -21,19 +21,22 @@ class NoReturnReading
  public:
   NoReturnReading();
 
-  /** @param range_m anything, NaN and infinity included */
+  /** Counts a reading.
+   *  @param range_m may be NaN or infinite */
   void add(double range_m);
 
-  /** Readings at or beyond it are no returns; beyond all readings where none stands out. */
+  /** The reading at or beyond which there is no return. If no reading stands out, it is larger than
+   * all readings. */
   double limit_m() const;
 
-  /** Whether the largest readings are a SICK's codes, whatever range the log claims. */
+  /** Whether the largest readings are the error codes of a SICK scanner. They are then no returns
+   * whatever maximum range the log states. */
   bool isCode() const;
 
  private:
   double readingsBelowLargest() const;
 
-  std::vector<double> bins_;  //!< readings by range
+  std::vector<double> bins_;  //!< number of readings by range
   double largest_m_ = 0;
   double timesLargest_ = 0;
 };

@@ -12,12 +12,14 @@ namespace psmks
 {
 struct LogOptions
 {
-  std::optional<std::string> sensorLabel;  //!< the sensor to read; none: that of the first scan
+  std::optional<std::string>
+      sensorLabel;  //!< the sensor to read; by default that of the first scan
   CarmenOptions carmen;
 };
 
-/** A reader for a log of any kind: text is a CARMEN log, all else an MRPT rawlog, whatever the
- * file's name. A file that cannot be read gives a reader that says so. */
+/** Opens a log of any kind. A text is read as a CARMEN log, anything else as an MRPT rawlog,
+ * whatever the name of the file. For a file that cannot be read, the damage() of the reader says
+ * so. */
 std::unique_ptr<LogReader> openLog(const std::string& path,
                                    const LogOptions& options = LogOptions());
 

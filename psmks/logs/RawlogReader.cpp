@@ -22,7 +22,8 @@ using mrpt::serialization::CSerializable;
 
 namespace
 {
-/** The reading of the wheels where the actions have one, whatever estimates stand beside it. */
+/** The motion measured by odometry, if the actions have one; other estimates of the motion are
+ * ignored. */
 std::optional<Pose2> motionOf(const CActionCollection& actions)
 {
   for (const auto& action : actions)
@@ -43,7 +44,8 @@ mrpt::Clock::time_point timeOf(const CActionCollection& actions)
   return INVALID_TIMESTAMP;
 }
 
-/** MRPT's error texts hold source lines and addresses; of them a user needs the missing class. */
+/** Shortens an error text of MRPT, which contains source lines and addresses, to the name of the
+ * missing class. */
 std::string readableReason(const std::string& mrptError)
 {
   static const std::regex kUnknownClass("class '([A-Za-z0-9_:]+)' which is not registered");

@@ -13,12 +13,12 @@
 
 namespace psmks
 {
-/** Reads an MRPT rawlog, gzipped or not, of either kind: actions and sensory frames, or loose
- *  observations. */
+/** Reads an MRPT rawlog, gzipped or not, of both kinds: actions and sensory frames, or single
+ * observations. */
 class RawlogReader : public LogReader
 {
  public:
-  /** @param sensorLabel the sensor to read; none: that of the first scan in the log */
+  /** @param sensorLabel the sensor to read; by default that of the first scan in the log */
   explicit RawlogReader(const std::string& path,
                         std::optional<std::string> sensorLabel = std::nullopt);
 
@@ -43,13 +43,13 @@ class RawlogReader : public LogReader
 
   GzipInput file_;
   std::optional<std::string> sensorLabel_;
-  std::deque<LaserFrame> frames_;  //!< complete, not yet handed out
+  std::deque<LaserFrame> frames_;  //!< complete frames that next() has not returned yet
   std::string damage_;
   std::map<std::string, int> scansOfSensors_;
   int entriesRead_ = 0;
   int stampsMadeUp_ = 0;
 
-  // Of the frame that is being put together.
+  // Parts of the next frame, which is not complete yet.
   mrpt::obs::CSensoryFrame observations_;
   mrpt::Clock::time_point actionTime_ = INVALID_TIMESTAMP;
 

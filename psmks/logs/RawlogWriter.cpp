@@ -37,8 +37,8 @@ void assignRanges(const Scan& scan, CObservation2DRangeScan& observation)
   }
 }
 
-/** The motion as MRPT's Gaussian model words it, whose terms are the same: a minimum and shares of
- * the way and of the turn. */
+/** The odometry noise in the terms of MRPT's Gaussian motion model, which has the same ones: a
+ * minimum and shares of the distance and of the turn. */
 CActionRobotMovement2D::TMotionModelOptions motionModel(const OdometryOptions& odometry)
 {
   constexpr double kTurn_rad = 2 * kPi;

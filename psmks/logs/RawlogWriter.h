@@ -16,20 +16,21 @@ namespace psmks
 /** The two kinds of MRPT's rawlogs. */
 enum class RawlogFormat
 {
-  Actions,      //!< a motion and a sensory frame in turn
-  Observations  //!< the pose by odometry and a scan in turn
+  Actions,      //!< motions and sensory frames alternate
+  Observations  //!< poses by odometry and scans alternate
 };
 
-/** The scan as MRPT's observation: rays from right to left; one without return is flagged invalid
- * and reads the maximum range. An unknown range sigma leaves MRPT's default.
+/** Converts a scan to an observation of MRPT with rays from right to left. A ray without return is
+ * flagged invalid and has the maximum range. If the standard deviation of ranges is unknown, MRPT's
+ * default stays.
  *
- * MRPT lays the rays of a scan symmetrically about the x axis of its sensor: where the grid is not,
- * as on a full circle, the sensor is turned instead. */
+ * MRPT assumes that the rays are symmetric about the x axis of the sensor. If those of the grid are
+ * not, as on a full circle, the sensor is turned accordingly. */
 mrpt::obs::CObservation2DRangeScan::Ptr toMrpt(const Scan& scan, const Pose2& T_robot_sensor);
 
 /** Writes the scans and the odometry of a drive as a gzipped rawlog. The same input gives the same
- * bytes. Sensors that have no name of their own are called LASER1 and, in a log of observations,
- * ODOMETRY. */
+ * bytes. The label of a scanner without a name is LASER1, that of the odometry in a log of
+ * observations is ODOMETRY. */
 class RawlogWriter
 {
  public:
@@ -37,25 +38,27 @@ class RawlogWriter
   {
     RawlogFormat format = RawlogFormat::Actions;
     Pose2 T_robot_sensor;
-    OdometryOptions odometry;  //!< how far a log of actions says that its motions can be trusted
+    OdometryOptions odometry;  //!< noise that a log of actions states for its motions
   };
 
   explicit RawlogWriter(const Options& options) : options_(options) {}
 
-  /** False where the file cannot be created. */
+  /** Creates the file.
+   *  @return false if it cannot be created */
   bool open(const std::string& path) { return file_.open(path); }
 
-  /** One scan and where the wheels say that the robot was then; in the order of the stamps.
-   *  @throws std::exception where the file cannot be written */
+  /** Appends a scan and the pose of the robot by odometry at its time. Scans have to come in the
+   * order of their stamps.
+   *  @throws std::exception if the file cannot be written */
   void write(const Scan& scan, const Pose2& T_start_odometry);
 
-  /** The next frame of another log, all its observations included. A scan without a stamp gets that
-   *  of the frame. Where the frame has no odometry, the log has none there, but for the first
-   *  frame, which stands at the start.
-   *  @throws std::exception where the file cannot be written */
+  /** Appends a frame of another log with all its observations. A scan without a stamp gets that of
+   * the frame. If the frame has no odometry, none is written for it, except that the first frame is
+   * at the start.
+   *  @throws std::exception if the file cannot be written */
   void write(const LaserFrame& frame);
 
-  /** The time that a stamp has in the log: MRPT counts in 100 ns. */
+  /** The stamp as it is read back from the log: MRPT counts time in units of 100 ns. */
   static double loggedStamp_s(double stamp_s)
   {
     return mrpt::Clock::toDouble(mrpt::Clock::fromDouble(stamp_s));
@@ -67,6 +70,6 @@ class RawlogWriter
 
   Options options_;
   mrpt::io::CFileGZOutputStream file_;
-  std::optional<Pose2> T_start_odometry_;  //!< at the last frame; none before the first
+  std::optional<Pose2> T_start_odometry_;  //!< odometry at the last frame; empty before the first
 };
 }  // namespace psmks

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/logs/CarmenLines.h>
+#include <psmks/gzip/GzipLines.h>
 
 namespace psmks
 {
@@ -8,9 +8,9 @@ namespace
 constexpr std::size_t kBlock_bytes = 1 << 16;
 }
 
-CarmenLines::CarmenLines(const std::string& path) : file_(path), block_(kBlock_bytes) {}
+GzipLines::GzipLines(const std::string& path) : file_(path), block_(kBlock_bytes) {}
 
-bool CarmenLines::next(std::string_view& line)
+bool GzipLines::next(std::string_view& line)
 {
   line_.clear();
   while (!unread_.empty() || refill())
@@ -31,7 +31,7 @@ bool CarmenLines::next(std::string_view& line)
   return true;
 }
 
-bool CarmenLines::refill()
+bool GzipLines::refill()
 {
   if (!file_.isOpen()) return false;
   unread_ = std::string_view(block_.data(), file_.Read(block_.data(), block_.size()));
