@@ -43,7 +43,8 @@ std::string shortestText(long double x, Check sameAgain)
   return text;
 }
 
-/** Files hold degrees; long double on the way makes the round trip exact. */
+/** Parses a number. Angles are written in degrees; converting them in long double makes the round
+ * trip between memory and file exact. */
 double parseNumber(const std::string& text, Unit unit, const std::string& key,
                    const std::string& constraint)
 {
@@ -87,7 +88,8 @@ std::string joined(const EnumNames& names)
   return all;
 }
 
-/** Levenshtein distance, to name the key that was probably meant. */
+/** The Levenshtein distance of two words, for proposing the known key that is nearest to an unknown
+ * one. */
 std::size_t editDistance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> row(b.size() + 1);

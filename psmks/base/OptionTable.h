@@ -9,8 +9,8 @@
 
 namespace psmks
 {
-/** A key, a value or a file of options that cannot be accepted; the text quotes key, value and
- *  constraint. */
+/** A key, a value or a file of options that cannot be accepted. The text quotes the key, the value
+ * and the constraint that the value breaks. */
 class OptionError : public std::runtime_error
 {
  public:
@@ -22,33 +22,33 @@ enum class Unit
 {
   None,
   Metre,
-  Degree,  //!< radians in memory
+  Degree,  //!< kept in radians, written in degrees
   Second
 };
 
-/** One option as text: what a file, a command line and a documentation table need of it. */
+/** One option as text, for files, command lines and tables of the documentation. */
 struct OptionField
 {
-  std::string section;     //!< the stage: one ini section each
-  std::string key;         //!< ends in the unit where there is one
-  std::string constraint;  //!< "0 to 1 m", "linear | ekf", ...
+  std::string section;     //!< the stage of the method, which is a section of an ini file
+  std::string key;         //!< ends with the unit if the option has one
+  std::string constraint;  //!< the accepted values, such as "0 to 1 m" or "linear | ekf"
   std::string help;
-  std::function<std::string()> get;             //!< exact: set(get()) changes nothing
-  std::function<void(const std::string&)> set;  //!< throws OptionError
+  std::function<std::string()> get;  //!< the value as text that set() reads back without loss
+  std::function<void(const std::string&)> set;  //!< throws OptionError if the value is not accepted
 };
 
-/** Text and meaning of the values of an enum option, in the order of their numbers. */
+/** The texts of the values of an enum option, in the order of their numbers. */
 using EnumNames = std::vector<std::string>;
 
-/** The options of one or several stages as one list of fields, each bound to a struct's member.
+/** The options of one or several stages as a list of fields, each bound to a member of a struct.
  *
- * Each options struct states its fields once, in a function `listFields(OptionTable&, Options&)`;
- * loading, saving, validation and documentation all read this list, so they cannot drift. The table
- * refers to the struct: it must not outlive it. */
+ * Each options struct lists its fields once, in a function `listFields(OptionTable&, Options&)`.
+ * Loading, saving, validation and documentation all read this list, so that they always agree. The
+ * table refers to the struct and must not outlive it. */
 class OptionTable
 {
  public:
-  /** Fields added from now on belong to this section. */
+  /** Begins a section: the fields added after this call belong to it. */
   void beginSection(std::string name, std::string help);
 
   void add(const std::string& key, double& value, Unit unit, double min, double max,
@@ -73,17 +73,19 @@ class OptionTable
   };
   const std::vector<Section>& sections() const { return sections_; }
 
-  /** @throws OptionError for an unknown section or key (naming the nearest known one), or a value
-   *  that is no value of that option. */
+  /** Sets an option from its text.
+   *  @throws OptionError for an unknown section or key, naming the nearest known one, and for a
+   *      value that the option does not accept */
   void set(const std::string& section, const std::string& key, const std::string& value);
 
-  /** @throws OptionError for an unknown section or key */
+  /** The value of an option as text.
+   *  @throws OptionError for an unknown section or key */
   std::string get(const std::string& section, const std::string& key) const;
 
-  /** Every field as ini text with its help and constraint as comments. */
+  /** All fields as the text of an ini file, each with its help and its constraint as a comment. */
   std::string toIni(const std::string& sectionPrefix = "") const;
 
-  /** Every field as a Markdown table: key, default, allowed, meaning. */
+  /** All fields as Markdown tables with the columns key, default, allowed and meaning. */
   std::string toMarkdown() const;
 
  private:

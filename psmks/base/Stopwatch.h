@@ -5,10 +5,11 @@
 
 namespace psmks
 {
-/** Wall time since its making or the last lap. */
+/** Measures wall time in laps. */
 class Stopwatch
 {
  public:
+  /** The time in seconds since the last call, or since the construction at the first call. */
   double lap_s()
   {
     const auto now = Clock::now();

@@ -1,28 +1,12 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/base/NumberRow.h>
 #include <psmks/eval/NumberRows.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 namespace psmks
 {
-namespace
-{
-/** Empty where something else stands among the numbers. */
-std::vector<double> numbersOf(const std::string& text)
-{
-  std::istringstream words(text);
-  std::vector<double> numbers;
-  for (double x; words >> x;) numbers.push_back(x);
-  if (!words.eof()) numbers.clear();
-  return numbers;
-}
-
-bool isBlank(const std::string& text) { return text.find_first_not_of(" \t\r") == text.npos; }
-}  // namespace
-
 std::vector<NumberRow> readNumberRows(const std::string& path, const std::string& content)
 {
   std::ifstream file(path);
@@ -33,8 +17,10 @@ std::vector<NumberRow> readNumberRows(const std::string& path, const std::string
   for (std::string line; std::getline(file, line);)
   {
     ++number;
-    line.erase(std::min(line.find_first_of("#%"), line.size()));
-    if (!isBlank(line)) rows.push_back({number, numbersOf(line)});
+    const auto text = std::string_view(line).substr(0, line.find_first_of("#%"));
+    const auto numbers = parseNumberRow(text);
+    const bool isBlank = numbers && numbers->empty();
+    if (!isBlank) rows.push_back({number, numbers.value_or(std::vector<double>())});
   }
   if (rows.empty()) throw TrajectoryFileError(path + ": holds no " + content);
   return rows;

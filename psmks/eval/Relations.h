@@ -9,35 +9,36 @@
 
 namespace psmks
 {
-/** A true pose of the robot at one time, seen from where it was at another: checked by hand, as in
- *  Kuemmerle et al., On measuring the accuracy of SLAM algorithms, Autonomous Robots 27 (2009). */
+/** A true pose of the robot at one time relative to its pose at another time. Relations of real
+ * logs are verified by hand: Kuemmerle et al., On measuring the accuracy of SLAM algorithms,
+ * Autonomous Robots 27 (2009). */
 struct Relation
 {
   double from_s = 0, to_s = 0;
   Pose2 T_from_to;
 };
 
-/** Reads relations, one a line, '#' and '%' begin comments:
+/** Reads a file with a relation on each line; '#' and '%' begin comments.
  *
  *     from_s to_s x y z roll pitch yaw      m, rad; projected to the plane
  *
- *  @throws TrajectoryFileError */
+ *  @throws TrajectoryFileError if the file cannot be read or a row is not a relation */
 std::vector<Relation> readRelations(const std::string& path);
 
-/** What a trajectory makes of one relation. */
+/** The error of a trajectory in one relation. */
 struct RelationError
 {
-  double span_s = 0;     //!< time between its two poses, >= 0
+  double span_s = 0;     //!< time between the two poses, >= 0
   double error_m = 0;    //!< >= 0
   double error_rad = 0;  //!< >= 0
 };
 
-/** How far the motions of a trajectory are from those of relations, one by one: translation and
- * rotation of T_from_to^-1 T_from_to_estimated.
+/** The errors of the motions of a trajectory in relations: translation and rotation of
+ * T_from_to^-1 T_from_to_estimated.
  *
- * A pose of the estimate counts as that of a stamp up to kStampTolerance_s away, the nearest first;
- * a relation without a pose on either side is left out. The stamps of the estimate may repeat and
- * go backwards; of poses with one stamp the first counts. */
+ * The pose at a time is the one with the nearest stamp, which is at most kStampTolerance_s away. A
+ * relation is left out if one of its two poses does not exist. The stamps of the estimate may
+ * repeat and go backwards; of poses with the same stamp the first one counts. */
 std::vector<RelationError> relationErrors(const Trajectory& estimate,
                                           const std::vector<Relation>& relations);
 }  // namespace psmks

@@ -16,10 +16,12 @@ struct StampedPose
   Pose2 pose;
 };
 
-/** In the order in which they were driven, which the stamps of a real log may contradict. */
+/** Poses in the order in which they were driven. The stamps of a real log may contradict this
+ * order.
+ */
 using Trajectory = std::vector<StampedPose>;
 
-/** A trajectory file that cannot be read; the text names file, line and reason. */
+/** A trajectory file that cannot be read. The text gives file, line and reason. */
 class TrajectoryFileError : public std::runtime_error
 {
  public:
@@ -28,21 +30,23 @@ class TrajectoryFileError : public std::runtime_error
 
 enum class StampOrder
 {
-  Rising,  //!< a stamp may repeat, but an earlier one than the line before is damage
-  Any      //!< as a log with stamps that go backwards leaves them
+  Rising,  //!< a stamp may repeat; one earlier than that of the line before is an error
+  Any      //!< stamps may go backwards, as in some real logs
 };
 
-/** Reads a planar trajectory, one pose a line; '#' and '%' begin comments.
+/** Reads a planar trajectory with a pose on each line; '#' and '%' begin comments.
  *
  *     stamp x y z qx qy qz qw     TUM: the poses are projected to the plane
  *     stamp x y phi               MRPT ground truth: radians
  *
- *  @throws TrajectoryFileError */
+ *  @throws TrajectoryFileError if the file cannot be read, a row is not a pose, or a stamp breaks
+ *          the order */
 Trajectory readTrajectory(const std::string& path, StampOrder order = StampOrder::Rising);
 
-/** Writes TUM: "stamp x y z qx qy qz qw", 9 decimals of the stamp. */
+/** Writes a trajectory as TUM, "stamp x y z qx qy qz qw", with 9 decimals. */
 void writeTum(std::ostream& out, const Trajectory& trajectory);
 
-/** Writes MRPT's ground truth, as its graphslam-engine reads it: "stamp x y phi", radians. */
+/** Writes a trajectory as MRPT's ground truth, which its graphslam-engine reads: "stamp x y phi",
+ * phi in radians. */
 void writeMrptGroundTruth(std::ostream& out, const Trajectory& trajectory);
 }  // namespace psmks

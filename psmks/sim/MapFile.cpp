@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/base/NumberRow.h>
 #include <psmks/sim/MapFile.h>
-#include <psmks/sim/NumberRow.h>
 
 #include <algorithm>
 #include <string>
@@ -19,7 +19,7 @@ enum class Section
   Data
 };
 
-/** The file, line by line. */
+/** Reads a map file line by line. */
 class MapText
 {
  public:
@@ -40,7 +40,7 @@ class MapText
     throw MapFileError("line " + std::to_string(number_) + ": " + reason);
   }
 
-  /** The first numbers of a text of this line. */
+  /** The numbers of a part of this line, at least `count` of them. */
   std::vector<double> numbers(std::string_view text, std::size_t count) const
   {
     const auto row = parseNumberRow(text);
@@ -55,7 +55,8 @@ class MapText
   int number_ = 0;
 };
 
-/** The pose of a line 'Cairn: RobotHome x y angle "" ICON ""', degrees. */
+/** Reads the start pose from a line 'Cairn: RobotHome x y angle "" ICON ""' with the angle in
+ * degrees; other headers are ignored. */
 void readHeader(const MapText& text, Site& site)
 {
   constexpr std::string_view kHome = "Cairn: RobotHome ";

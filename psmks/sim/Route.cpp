@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/sim/NumberRow.h>
+#include <psmks/base/NumberRow.h>
 #include <psmks/sim/Route.h>
 
 #include <istream>

@@ -7,11 +7,13 @@
 
 namespace psmks
 {
-/** Points of the world frame, metres, that a robot is driven along, the first one its start. */
+/** The points, in metres in the frame of the world, that a robot is driven along. It starts at the
+ * first one. */
 using Route = std::vector<Eigen::Vector2d>;
 
-/** Reads a route: "x y" in metres a line; '#' begins a comment; empty lines are skipped.
- *  @throws std::runtime_error with the number of the line that is no point, and where there are
- *  fewer than two points */
+/** Reads a route from a text with a point "x y" in metres on each line. A comment begins with '#'
+ * and ends with its line; blank lines are skipped.
+ *  @throws std::runtime_error if a line is not a point, naming the line, or if there are fewer than
+ *          two points */
 Route readRoute(std::istream& in);
 }  // namespace psmks

@@ -73,6 +73,9 @@ TEST_F(TrajectoryTest, DamagedFilesAreRefusedWithTheirLine)
       test::thrownText<TrajectoryFileError>([&] { read("1 2 3 abc\n"); }).find(":1: expected"),
       std::string::npos);
   EXPECT_NE(
+      test::thrownText<TrajectoryFileError>([&] { read("1 2 nan 4\n"); }).find(":1: expected"),
+      std::string::npos);
+  EXPECT_NE(
       test::thrownText<TrajectoryFileError>([&] { read("2 0 0 0\n1 0 0 0\n"); }).find("earlier"),
       std::string::npos);
   EXPECT_NE(test::thrownText<TrajectoryFileError>([&] { read("# nothing\n"); }).find("no pose"),
