@@ -9,22 +9,27 @@ namespace psmks
 namespace
 {
 
-// The method's own constants.
-constexpr double kReachGrowth = 1.025;     // a cycle
-constexpr double kCautiousShare = 0.25;    // of the full reach
-constexpr double kLeastSideShare = 0.15;   // of all rays: a side with fewer of them is no way
-constexpr double kForegoneShare = 0.1;     // a side less likely than this is never chosen
-constexpr double kWayWidth_radii = 1.1;    // half the width that a robot needs on its way
-constexpr double kWayLength_radii = 1.25;  // beside what it drives in kWayTime_s
+// Constants that the source of the method gives.
+constexpr double kReachGrowth = 1.025;  // factor of the reach in each control cycle
+constexpr double kCautiousShare =
+    0.25;  // of the full reach: the reach after the robot has become cautious
+constexpr double kLeastSideShare =
+    0.15;                               // a side with a smaller share of all rays is not driven to
+constexpr double kForegoneShare = 0.1;  // a side with a smaller probability is never chosen
+constexpr double kWayWidth_radii =
+    1.1;  // half the width of the strip that must be free, in radii of the robot
+constexpr double kWayLength_radii = 1.25;  // length of this strip beyond the path of kWayTime_s
 constexpr double kWayTime_s = 1;
 constexpr double kStraight_rad = degToRad(2);
-constexpr double kInnerWheelTurn = 1.8;  // of the bearing: the inner wheel is so much slower
-constexpr double kTurnShare = 0.1;       // of the highest speed, on the spot and backward
+constexpr double kInnerWheelTurn =
+    1.8;  // by this factor of the bearing the inner wheel is slowed down
+constexpr double kTurnShare =
+    0.1;  // of the highest speed, when turning on the spot or driving backward
 constexpr double kSlowTurn_rad = degToRad(23);
 constexpr double kReverse_s = 2;
 constexpr double kSectorEdge_rad = degToRad(90.5);
 
-// What it needs beside, so as never to touch a thing and never to stand for long.
+// Constants of our own, chosen so that the robot never touches anything and never stands for long.
 constexpr double kLeastReach_m = 0.3;
 constexpr double kLeastSplitAngle_rad = degToRad(10);
 constexpr double kLookAhead_s = 1.2;
@@ -192,7 +197,7 @@ AreaCenterDriver::Side AreaCenterDriver::side(const RayFan& rays, const RayFan& 
   return side;
 }
 
-// The way begins along the heading and bends toward the centre half way.
+// Tests the path to the centre: it begins along the heading and bends toward the centre half way.
 bool AreaCenterDriver::isAccessible(const Eigen::Vector2d& centre_m, const RayFan& fan,
                                     double speed_mps) const
 {
@@ -208,8 +213,8 @@ bool AreaCenterDriver::isAccessible(const Eigen::Vector2d& centre_m, const RayFa
          fan.wayClearance_m(bend_m, end_m) > needed_m;
 }
 
-// The centroid of a free sector lies at 2/3 of its radius times sin(A) / A, A half its angle: there
-// the robot drives at full speed.
+// The centroid of a free sector lies at a distance of 2/3 of its radius times sin(A) / A, with A
+// half of its angle. The robot drives at full speed toward a centre at least that far away.
 WheelSpeeds AreaCenterDriver::toward(const Target& target) const
 {
   const double half_rad = target.halfAngle_rad;

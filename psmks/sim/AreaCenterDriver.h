@@ -11,56 +11,57 @@ namespace psmks
 {
 struct AreaCenterOptions
 {
-  double gain = 0.48;      //!< of the speed: in open space the share of the robot's highest one
-  double fullReach_m = 5;  //!< nothing beyond it counts, however far the scanner sees
+  double gain = 0.48;      //!< speed in open space as a share of the robot's highest speed
+  double fullReach_m = 5;  //!< ranges are cut to it, however far the scanner sees
 };
 
-/** Drives where the free space is: toward the centre of the area the scanner sees (the paper's
- * roaming driver, the Area Center method of Alvarez-Sanchez et al. 2010; docs/algorithm.md,
- * "Simulation"). Never ends.
+/** Drives toward the centre of the free area that the scanner sees. This is the paper's roaming
+ * driver, the Area Center method of Alvarez-Sanchez et al. 2010 (docs/algorithm.md, "Simulation").
+ * The drive never ends by itself.
  *
- * Where the way to the centre is not free, the area is split there, and one side of it is driven
- * to until the place of the split is left behind. Where neither side can be reached, the robot
- * looks at its surroundings only, and at last turns round. */
+ * If the path to the centre is not free, the area is split at the obstacle, and the robot drives to
+ * the centre of one side until it has passed the obstacle. If neither side can be reached, only the
+ * near surroundings are taken into account, and at last the robot turns round. */
 class AreaCenterDriver : public Driver
 {
  public:
-  /** @param seed of the choices between two ways */
+  /** @param seed of the random choices between the two sides of an obstacle */
   AreaCenterDriver(const AreaCenterOptions& options, const RobotOptions& robot, unsigned seed);
 
   WheelSpeeds drive(const DriverView& view) override;
 
  private:
-  /** A place to drive to, and half the angle of the sector whose centre it is. */
+  /** A place to drive to, and half the angle of the sector that it is the centre of. */
   struct Target
   {
     Eigen::Vector2d place_m;
     double halfAngle_rad;
   };
 
-  /** One of the two ways past the place of a split. */
+  /** One of the two sides on which an obstacle can be passed. */
   struct Side
   {
-    double share;    //!< of all rays
-    double reach_m;  //!< with which it is looked at
-    double weight;   //!< likely as such
+    double share;    //!< of all rays that lie on this side
+    double reach_m;  //!< range to which its rays are cut
+    double weight;   //!< in proportion to the probability of being chosen
     std::optional<Target> target;
   };
 
   void moveSplits(const Pose2& T_now_before);
 
-  /** Turns to the longest free lane where the robot has hardly moved for a while. */
+  /** Turns the robot to the longest free lane if it has hardly moved for some time. */
   void watchForStandstill(const DriverView& view, const RayFan& fan);
 
   void turnBy(const DriverView& view, double angle_rad);
   std::optional<WheelSpeeds> turning(const DriverView& view);
 
-  /** Forgets all splits and looks at what is near. */
+  /** Forgets all splits and reduces the reach to the near surroundings. */
   void beCautious();
 
-  /** The centre of the open sector, or of one side of it, or at last of what is near. */
+  /** The centre of the area between the splits, or of one side of an obstacle, or else of the near
+   * surroundings; nothing if none of them can be reached. */
   std::optional<Target> target(const RayFan& fan, double speed_mps);
-  /** Chooses a side and remembers the place of the split. */
+  /** Chooses one side of an obstacle and remembers where the area was split. */
   std::optional<Target> split(const RayFan& sector, const RayFan& fan, double speed_mps);
   Side side(const RayFan& rays, const RayFan& fan, double speed_mps) const;
   std::optional<Target> centreOf(const RayFan& sector, const RayFan& fan, double speed_mps) const;
@@ -69,7 +70,8 @@ class AreaCenterDriver : public Driver
 
   WheelSpeeds toward(const Target& target) const;
 
-  /** Slowed down until it leads close to nothing; none where slow is not enough. */
+  /** Slows the wheels down until they lead close to nothing; nothing if even the lowest speed is
+   * not safe. */
   std::optional<WheelSpeeds> safe(WheelSpeeds speeds, const RayFan& fan) const;
   bool isSafe(const WheelSpeeds& speeds, const RayFan& fan) const;
 
@@ -78,14 +80,14 @@ class AreaCenterDriver : public Driver
   std::mt19937_64 random_;
   double reach_m_;
 
-  // Places of earlier splits in the robot's frame: the way leads to the left of the one, to the
-  // right of the other.
+  // Obstacles at which the area was split, in the robot's frame: the robot passes to the left of
+  // the first and to the right of the second.
   std::optional<Eigen::Vector2d> rightSplit_m_, leftSplit_m_;
-  std::optional<double> turnTo_rad_;  // heading by the odometry
+  std::optional<double> turnTo_rad_;  // goal of a turn on the spot, heading of the odometry
   double reverseUntil_s_ = 0;
 
-  Pose2 T_start_before_;   // by the odometry, at the last cycle
-  Pose2 T_start_checked_;  // at the last look whether the robot moves on
+  Pose2 T_start_before_;   // odometry at the last control cycle
+  Pose2 T_start_checked_;  // odometry at the last test for standstill
   double checked_s_ = 0;
 };
 }  // namespace psmks

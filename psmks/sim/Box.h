@@ -11,17 +11,17 @@ namespace psmks
 /** A rectangle of the plane at any angle. */
 struct Box
 {
-  Pose2 T_world_box;  //!< at its centre
+  Pose2 T_world_box;  //!< pose of its centre
   Eigen::Vector2d size_m;
 
-  /** From a point, 0 inside. */
+  /** Distance from a point to the box; 0 inside. */
   double distance_m(const Eigen::Vector2d& point_m) const
   {
     const Eigen::Vector2d inBox = T_world_box.inverse() * point_m;
     return (inBox.cwiseAbs() - size_m / 2).cwiseMax(0).norm();
   }
 
-  /** True where a strip of that width, along a side of one of them, separates two boxes. */
+  /** Whether a strip of the given width, parallel to a side of one of the boxes, separates them. */
   bool isApart(const Box& other, double gap_m) const
   {
     const Eigen::Vector2d between = other.T_world_box.translation() - T_world_box.translation();
@@ -35,7 +35,7 @@ struct Box
   }
 
  private:
-  /** How far it extends from its centre in a direction. */
+  /** How far the box extends from its centre in a direction. */
   double reach_m(const Eigen::Vector2d& direction) const
   {
     return (T_world_box.rotation().transpose() * direction).cwiseAbs().dot(size_m) / 2;

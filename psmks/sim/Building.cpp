@@ -9,8 +9,8 @@ namespace psmks
 {
 namespace
 {
-constexpr double kWall_m = 0.15;           // between a corridor and its rooms
-constexpr double kHalfPartition_m = 0.06;  // between two rooms
+constexpr double kWall_m = 0.15;           // thickness of the wall between a corridor and its rooms
+constexpr double kHalfPartition_m = 0.06;  // half the thickness of the wall between two rooms
 constexpr char kClosed = '-', kDoorAtEnd = '>', kHall = 'H';
 
 double width(char door) { return door == kHall ? 2 : 1; }
@@ -38,7 +38,7 @@ std::size_t Building::addFrontage(const Eigen::Vector2d& a_m, const Eigen::Vecto
 std::size_t Building::addRooms(std::size_t frontage, double depth_m, const std::string& doors,
                                double margin_m, bool pilasters)
 {
-  constexpr double kMaxShift_m = 0.2;  // of a partition
+  constexpr double kMaxShift_m = 0.2;  // largest random shift of a wall between two rooms
   constexpr double kPilasterWidth_m = 0.4, kPilasterDepth_m = 0.2;
   std::uniform_real_distribution<double> shift_m(-kMaxShift_m, kMaxShift_m);
   Frontage& side = frontages_[frontage];
@@ -79,7 +79,7 @@ World Building::drawn() const
   return world;
 }
 
-// Pieces of furniture make up the number of walls; what four does not divide are leaves of doors.
+// A piece of furniture has four walls. Leaves of doors make up the rest of the number of walls.
 Site Building::furnished(const Route& route, std::size_t walls)
 {
   constexpr std::size_t kWallsOfBox = 4;

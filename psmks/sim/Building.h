@@ -11,35 +11,39 @@
 
 namespace psmks
 {
-/** Corridors with rooms behind their walls. */
+/** Corridors with furnished rooms behind their walls, which is built up step by step. */
 class Building
 {
  public:
   explicit Building(unsigned seed) : random_(seed) {}
 
-  /** The side of a corridor from a to b, free space on its left.
+  /** Adds the side of a corridor from a to b, with the free space on its left.
    *  @return its number */
   std::size_t addFrontage(const Eigen::Vector2d& a_m, const Eigen::Vector2d& b_m);
 
-  /** Divides a frontage into rooms, one a letter: `<` an open door near the beginning, `>` near the
-   * end, `-` a closed one in a recess; `H` a hall, as wide as two, open near its beginning.
-   *  @param depth_m of the rooms and the wall before them
-   *  @param margin_m of the frontage without rooms at both ends
-   *  @param pilasters between the rooms, in the corridor
-   *  @return the number of its first open room; the others follow */
+  /** Divides a frontage into rooms.
+   *  @param doors a letter for each room: `<` has an open door near its beginning, `>` near its
+   * end,
+   *         `-` has a closed one in a recess; `H` is a hall of double width, open near its
+   * beginning
+   *  @param depth_m of a room together with the wall to the corridor
+   *  @param margin_m length at either end of the frontage that has no rooms
+   *  @param pilasters whether there are pilasters in the corridor between the rooms
+   *  @return the number of the first of its open rooms; the other ones follow it */
   std::size_t addRooms(std::size_t frontage, double depth_m, const std::string& doors,
                        double margin_m, bool pilasters);
 
-  /** A closed door in a recess, so far along. */
+  /** Adds a closed door in a recess.
+   *  @param along_m distance of its centre from the beginning of the frontage */
   void addClosedDoor(std::size_t frontage, double along_m);
 
-  /** A thing that stands there whatever else does. */
+  /** Adds a box that is part of the building; furniture is kept clear of it. */
   void addBox(const Box& box) { boxes_.push_back(box); }
 
   const Room& room(std::size_t open) const { return rooms_[open]; }
 
-  /** Draws everything and furnishes the rooms until the world has so many walls; the route, which
-   *  furniture keeps clear of, says where a robot starts. */
+  /** Draws all walls, and furnishes the rooms until the world has the wanted number of walls.
+   *  @param route stays free of furniture; the robot starts at its first point */
   Site furnished(const Route& route, std::size_t walls);
 
  private:

@@ -10,14 +10,14 @@ constexpr std::size_t kWalls = 507;
 constexpr double kLength_m = 46, kCorridor_m = 2.2;
 constexpr double kOuterRoomDepth_m = 5.8, kInnerRoomDepth_m = 4.8, kBlockHeight_m = 10;
 constexpr double kHeight_m =
-    kBlockHeight_m + 2 * kCorridor_m;  // of the corridors around the blocks
+    kBlockHeight_m + 2 * kCorridor_m;  // outer side of the corridors around the blocks
 constexpr double kCrossing_m = 20;     // where the corridor between the blocks begins
 constexpr double kMiddle_m = kCorridor_m / 2;
 
-/** Rooms of a block along both of its long corridors. */
+/** The rooms of a block along both of its long corridors. */
 struct Block
 {
-  std::size_t south, north;  //!< the first open room of each
+  std::size_t south, north;  //!< number of the first open room of each side
 };
 
 Block addBlock(Building& building, double left_m, double right_m, const std::string& southDoors,
@@ -34,7 +34,7 @@ Block addBlock(Building& building, double left_m, double right_m, const std::str
           building.addRooms(north, kInnerRoomDepth_m, northDoors, kMargin_m, false)};
 }
 
-/** Two rows of pillars, one of which the route goes around. */
+/** Adds two rows of pillars to a hall. The route leads around one of the rows. */
 void addPillars(Building& building, const Room& hall)
 {
   const Eigen::Vector2d size_m(0.3, 0.3);

@@ -7,7 +7,7 @@
 
 namespace psmks
 {
-/** Which items lie in each cell of a grid, all lists in one flat array. */
+/** The items that lie in each cell of a grid. All lists are kept in one array. */
 template <typename Item>
 class CellLists
 {
@@ -35,7 +35,7 @@ class CellLists
       items_[next[static_cast<std::size_t>(entry.cell)]++] = entry.item;
   }
 
-  /** In the order of the entries. */
+  /** The items of a cell, in the order in which they were entered. */
   List operator[](int cell) const
   {
     const auto c = static_cast<std::size_t>(cell);
@@ -43,7 +43,8 @@ class CellLists
   }
 
  private:
-  std::vector<std::size_t> firstOfCell_;  //!< and the end of the last one
+  std::vector<std::size_t>
+      firstOfCell_;  //!< index of the first item of each cell, then the number of all items
   std::vector<Item> items_;
 };
 }  // namespace psmks

@@ -10,10 +10,11 @@ namespace
 {
 const Eigen::Vector2d kRoom_m(24, 18), kCurvedRoom_m(33, 25);
 
-/** A layout that is complete, by the first seed after the given one that leads to it. */
+/** Tries layouts with the given seed and further ones until one is complete. */
 Site firstComplete(unsigned seed, const std::function<ClutteredRoom(unsigned)>& layOut)
 {
-  constexpr unsigned kAttemptStride = 1000003;  // the attempts of neighbouring seeds differ
+  constexpr unsigned kAttemptStride = 1000003;  // between the seeds of two attempts; large, so that
+                                                // neighbouring seeds never share attempts
   for (unsigned attempt = 0;; ++attempt)
   {
     ClutteredRoom room = layOut(seed + attempt * kAttemptStride);

@@ -10,32 +10,36 @@
 
 namespace psmks
 {
-/** A rectangular room about the origin that fills with things in random places, every two of them
- * far enough apart for a robot to pass. */
+/** A rectangular room about the origin with objects at random places. Any two of them are far
+ * enough apart for a robot to pass between them. */
 class ClutteredRoom
 {
  public:
-  /** @param gap_m between the circles around any two things, and to the walls of the room */
+  /** Begins an empty room.
+   *  @param gap_m least distance between the circles around two objects, and to the walls of
+   *      the room */
   ClutteredRoom(const Eigen::Vector2d& size_m, double gap_m, unsigned seed);
 
   /** Adds boxes with sides between two lengths.
-   *  @param maxTurn_rad of a box against the room, either way */
+   *  @param maxTurn_rad largest angle of a box to the room, in either direction */
   void addBoxes(int count, double minSide_m, double maxSide_m, double maxTurn_rad);
 
   /** Adds straight walls at any angle. */
   void addFreeWalls(int count, double minLength_m, double maxLength_m);
 
-  /** Makes room for round things; every third is an open arc where arcs are asked for. Their points
+  /** Reserves places for round objects. With arcs, every third of them is an open arc. Their points
    * are added by drawRoundThings(). */
   void addRoundThings(int count, double minRadius_m, double maxRadius_m, bool withArcs);
 
-  /** Shares so many points out among all round things, at the same pitch on each. */
+  /** Distributes a number of points over all round objects, with the same spacing on each of them.
+   */
   void drawRoundThings(int points);
 
-  /** False when something found no place: the layout is to be tried with another seed. */
+  /** Whether everything found a place. If not, the layout has to be tried again with another seed.
+   */
   bool isComplete() const { return complete_; }
 
-  /** The room with a start where the robot has space around itself. */
+  /** The room with a start pose at which the robot has space around itself. */
   Site site();
 
  private:
@@ -55,12 +59,12 @@ class ClutteredRoom
   double gap_m_;
   std::mt19937_64 random_;
   World world_;
-  std::vector<Disc> taken_;  //!< circles around what has its place
+  std::vector<Disc> taken_;  //!< circles around the objects that are placed
   std::vector<Arc> arcs_;
   bool complete_ = true;
 };
 
-/** The sites of that kind, see makeSite(). */
+/** Makes the site of this name, see makeSite(). */
 Site makeRoom(unsigned seed);
 Site makeClutter(unsigned seed);
 Site makeCurved(unsigned seed);

@@ -15,7 +15,7 @@ constexpr double kBlockLength_m = (kLength_m - 3 * kCorridor_m) / 2;
 constexpr double kDoor_m = 1.0, kRecess_m = 0.25;
 constexpr int kDoors = 37, kDoorsAjar = 3;
 
-/** A wall may have a door in each of its slots. */
+/** A part of a wall that may have a door. */
 struct Slot
 {
   std::size_t frontage;
@@ -27,7 +27,7 @@ double draw(std::mt19937_64& random, double low, double high)
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/** The four sides of a rectangle, with free space inside or outside. */
+/** Adds the four sides of a rectangle, with the free space inside or outside. */
 void addSides(std::vector<Frontage>& frontages, const Eigen::Vector2d& low_m,
               const Eigen::Vector2d& high_m, bool freeInside)
 {
@@ -63,7 +63,8 @@ std::vector<Slot> doorSlots(const std::vector<Frontage>& frontages)
   return slots;
 }
 
-/** A door that is ajar: its leaf hangs on a back corner of the recess and stays within it. */
+/** The leaf of a door that is ajar. It hangs at a back corner of the recess and stays within the
+ * recess. */
 World::Wall leafAjar(const Frontage& frontage, double centre_m, std::mt19937_64& random)
 {
   constexpr double kLeaf_m = 0.95, kMinAngle_rad = 0.07, kMaxAngle_rad = 0.2;

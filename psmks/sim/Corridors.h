@@ -5,6 +5,6 @@
 
 namespace psmks
 {
-/** Narrow corridors around two blocks, with closed doors in recesses, see makeSite(). */
+/** Narrow corridors around two blocks with closed doors in recesses, see makeSite(). */
 Site makeCorridors(unsigned seed);
 }  // namespace psmks

@@ -8,13 +8,13 @@
 
 namespace psmks
 {
-/** A round thing of the plane. */
+/** A round object of the plane. */
 struct Disc
 {
   Eigen::Vector2d centre_m;
   double radius_m;
 
-  /** Range at which a ray meets its outline, infinity where it does not.
+  /** The range at which a ray meets the outline, or infinity if it does not.
    *  @param direction unit vector */
   double rangeAlong_m(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction) const
   {
@@ -28,7 +28,7 @@ struct Disc
     return leaving_m > 0 ? leaving_m : std::numeric_limits<double>::infinity();
   }
 
-  /** From a point, 0 inside. */
+  /** Distance from a point to the disc; 0 inside. */
   double distance_m(const Eigen::Vector2d& point_m) const
   {
     return std::max(0.0, (centre_m - point_m).norm() - radius_m);

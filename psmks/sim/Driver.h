@@ -6,19 +6,19 @@
 
 namespace psmks
 {
-/** What a driver knows at a control cycle. */
+/** What a driver knows in a control cycle. */
 struct DriverView
 {
-  const Scan& scan;  //!< in the sensor's frame
+  const Scan& scan;  //!< in the sensor frame
   Pose2 T_robot_sensor;
-  Pose2 T_start_odometry;  //!< by the wheels
-  Pose2 T_world_robot;     //!< the truth: only for drivers that stand for a person
-  WheelSpeeds speeds;      //!< of the wheels now
-  bool bumped = false;     //!< the robot touched something since the last cycle
-  double time_s = 0;       //!< since the start
+  Pose2 T_start_odometry;  //!< pose by the odometry
+  Pose2 T_world_robot;     //!< true pose, for drivers that stand for a person
+  WheelSpeeds speeds;      //!< present speeds of the wheels
+  bool bumped = false;     //!< whether the robot touched something since the last cycle
+  double time_s = 0;       //!< time since the start
 };
 
-/** Whoever steers the robot: called once a scan. */
+/** Steers a robot. It is asked for the speeds of the wheels once for each scan. */
 class Driver
 {
  public:
@@ -26,7 +26,7 @@ class Driver
 
   virtual WheelSpeeds drive(const DriverView& view) = 0;
 
-  /** True when the drive is over: the end of a route. */
+  /** Whether the drive is over, as at the end of a route. */
   virtual bool isDone() const { return false; }
 };
 }  // namespace psmks

@@ -19,12 +19,13 @@ namespace psmks
 class Frontage
 {
  public:
+  /** A recess, a pilaster or a doorway. */
   struct Feature
   {
-    double centre_m;  //!< from a
+    double centre_m;  //!< distance of its centre from a
     double width_m;
-    double depth_m;       //!< into the wall; negative: out of it; 0: nothing but a gap
-    bool hasBack = true;  //!< false: one can pass
+    double depth_m;       //!< into the wall; negative: out of it; 0: only a gap
+    bool hasBack = true;  //!< false: an open doorway
   };
 
   Frontage(const Eigen::Vector2d& a_m, const Eigen::Vector2d& b_m);
@@ -32,19 +33,19 @@ class Frontage
   double length_m() const { return length_m_; }
   double angle_rad() const { return T_world_a_.phi_rad; }
 
-  /** Features may come in any order but must not overlap. */
+  /** Adds a feature. They may come in any order but must not overlap. */
   void add(const Feature& feature) { features_.push_back(feature); }
 
   void drawInto(World& world) const;
 
-  /** A place so far along the wall and so far into it. */
+  /** The place at a distance along the wall and a depth into it. */
   Eigen::Vector2d at(double along_m, double into_m) const
   {
     return T_world_a_ * Eigen::Vector2d(along_m, -into_m);
   }
 
  private:
-  Pose2 T_world_a_;  //!< x along the wall, y to the free side
+  Pose2 T_world_a_;  //!< at a, with x along the wall and y to the free side
   double length_m_;
   std::vector<Feature> features_;
 };

@@ -7,7 +7,7 @@ namespace psmks
 {
 namespace
 {
-/** The points of a route at a fixed pitch. */
+/** Points along a route at a fixed spacing. */
 Route sampled(const Route& route)
 {
   constexpr double kPitch_m = 0.05;
@@ -56,7 +56,7 @@ Box Furniture::drawAlongWall(const Room& room)
   return room.against(side, {width_m, depth_m}, draw(0, 1));
 }
 
-/** A chair or a bin, or a table parallel to the walls. */
+/** Chooses a chair or a bin, or a table parallel to the walls. */
 Box Furniture::drawInTheOpen(const Room& room)
 {
   const double alongShare = draw(0, 1), intoShare = draw(0, 1);

@@ -9,19 +9,19 @@
 
 namespace psmks
 {
-/** Boxes that fill rooms: desks and shelves along the walls, tables and chairs in the open; none in
- * the way of a route or of a door. */
+/** Places boxes in rooms: desks and shelves along the walls, tables and chairs in the open. None of
+ * them blocks a route or a door. */
 class Furniture
 {
  public:
-  /** @param rooms to be filled; they must outlive this object */
+  /** @param rooms to be furnished; they must outlive this object */
   Furniture(const std::vector<Room>& rooms, const Route& route, std::mt19937_64& random);
 
-  /** What stands there already. */
+  /** Keeps furniture clear of a box that is already there. */
   void avoid(const Box& box) { taken_.push_back(box); }
 
-  /** Places so many pieces, as evenly over the rooms as they fit.
-   *  @return nothing where they do not fit */
+  /** Places a number of pieces, distributed over the rooms as evenly as they fit.
+   *  @return nothing if they do not fit */
   std::optional<std::vector<Box>> place(int pieces);
 
  private:
@@ -31,7 +31,7 @@ class Furniture
   double draw(double low, double high);
 
   const std::vector<Room>& rooms_;
-  Route route_;  //!< densely sampled
+  Route route_;  //!< points at a small spacing
   std::mt19937_64& random_;
   std::vector<Box> taken_;
 };

@@ -18,7 +18,7 @@ GridRay::GridRay(const UniformGrid& grid, const Eigen::Vector2d& origin_m,
   axes_[1] = startAxis(1, grid.row(entry_m.y()), origin_m.y(), direction.y());
 }
 
-/** Cuts the ray to the part between both borders of the grid on one axis. */
+/** Cuts the ray to the part between the two borders of the grid on one axis. */
 void GridRay::clip(int axis, double origin_m, double slope)
 {
   const double low_m = grid_.low_m()[axis] - origin_m, high_m = grid_.high_m()[axis] - origin_m;

@@ -7,21 +7,22 @@
 
 namespace psmks
 {
-/** The cells of a grid that a ray passes, one after the other (Amanatides and Woo 1987). */
+/** Visits the cells of a grid along a ray in their order (Amanatides and Woo 1987). */
 class GridRay
 {
  public:
-  /** At the first cell; the origin may lie outside the grid.
+  /** Begins at the first cell of the grid on the ray. The origin may lie outside the grid.
    *  @param direction unit vector */
   GridRay(const UniformGrid& grid, const Eigen::Vector2d& origin_m,
           const Eigen::Vector2d& direction, double maxRange_m);
 
-  /** False once the ray has left the grid or its range, or where it never meets the grid. */
+  /** Whether there is a present cell. It is false after the ray has left the grid or reached its
+   * range, and if it never meets the grid. */
   bool isInside() const { return inside_; }
 
   int cell() const { return grid_.cell(axes_[0].index, axes_[1].index); }
 
-  /** Range at which the ray leaves the present cell. */
+  /** The range at which the ray leaves the present cell. */
   double exit_m() const { return std::min(axes_[0].next_m, axes_[1].next_m); }
 
   void advance()
@@ -37,8 +38,8 @@ class GridRay
   struct Axis
   {
     int index = 0, step = 0, count = 0;
-    double next_m = 0;   //!< range of the next border
-    double pitch_m = 0;  //!< range from one border to the next
+    double next_m = 0;   //!< range at the next border of a cell
+    double pitch_m = 0;  //!< difference of range between two borders
   };
 
   void clip(int axis, double origin_m, double slope);
@@ -46,7 +47,7 @@ class GridRay
 
   const UniformGrid& grid_;
   std::array<Axis, 2> axes_;
-  double begin_m_ = 0, end_m_;  //!< of the part inside the grid
+  double begin_m_ = 0, end_m_;  //!< ranges at which it enters and leaves the grid
   bool inside_ = true;
 };
 }  // namespace psmks

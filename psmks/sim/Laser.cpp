@@ -7,10 +7,11 @@ namespace psmks
 {
 namespace
 {
-// A beam is looked at along so many thin rays: its share on either side of an edge to one eighth.
+// A wide beam is sampled along this many thin rays, so that the share of the beam on either side of
+// an edge is right to one eighth.
 constexpr int kRaysPerBeam = 9;
 
-/** One beam of a scan, from its own place at its own time. */
+/** One beam of a scan, which leaves from its own pose at its own time. */
 struct Beam
 {
   const Surroundings& surroundings;
@@ -24,8 +25,8 @@ struct Beam
                              maxRange_m, time_s);
   }
 
-  /** Mean range over the width of a beam whose middle returns; rays that meet nothing light
-   *  nothing. */
+  /** The mean range over the width of a beam whose middle ray returns. Rays that meet nothing do
+   * not count. */
   double meanRange_m(double divergence_rad) const
   {
     double sum_m = 0;
@@ -41,7 +42,7 @@ struct Beam
   }
 };
 
-/** What the scanner makes of a beam; as built: no return. */
+/** What the scanner reads of a beam. The default is no return. */
 struct Reading
 {
   double range_m = 0, noise_m = 0;
@@ -58,8 +59,8 @@ bool isLost(double share, std::mt19937_64& random)
   return share > 0 && std::bernoulli_distribution(share)(random);
 }
 
-// The noise of a beam without return is drawn all the same, so that the other rays of a scan have
-// the same noise at every maximum range.
+// The noise of a beam without return is drawn as well, so that the other rays of a scan have the
+// same noise whatever the maximum range.
 Reading read(const Beam& beam, const LaserOptions& laser,
              std::normal_distribution<double>& unitNoise, std::mt19937_64& random)
 {

@@ -12,23 +12,23 @@
 
 namespace psmks
 {
-/** A simulated laser scanner and what is wrong with it. */
+/** A simulated laser scanner and its errors. */
 struct LaserOptions
 {
   BeamGrid grid = BeamGrid::centered(kPi, 181);
   double maxRange_m = 8;
-  double rangeSigma_m = 0.01;       //!< Gaussian, of every return
-  double rangeSigmaPerMetre_m = 0;  //!< its growth, see RangeNoise
+  double rangeSigma_m = 0.01;       //!< standard deviation of the Gaussian noise of a range
+  double rangeSigmaPerMetre_m = 0;  //!< growth of the noise, see RangeNoise
   double quantum_m = 0;             //!< ranges are multiples of it; 0 = exact
   double dropOutShare = 0;          //!< share of the returns that are lost, 0 to 1
-  double beamDivergence_rad = 0;    //!< full width of a beam: it returns the mean range of all that
-                                    //!< it lights, at an edge a mixed pixel in the air; 0 = thin
-  double sweepDuration_s = 0;       //!< from the first to the last ray, each from its own pose
+  double beamDivergence_rad = 0;    //!< full width of a beam, which returns the mean range of all
+                                    //!< that it meets, at edges a mixed pixel; 0 = thin
+  double sweepDuration_s = 0;       //!< from first to last ray, which all have their own pose
 
   RangeNoise rangeNoise() const { return {rangeSigma_m, rangeSigmaPerMetre_m}; }
 };
 
-/** A scan of which the truth is known. */
+/** A scan with its true noise and the objects that its rays met. */
 struct SimulatedScan
 {
   Scan scan;                     //!< range 0 = no return
@@ -36,15 +36,16 @@ struct SimulatedScan
   std::vector<int> objectOfRay;  //!< see Hit::object; Hit::kNothing without return
 };
 
-/** Pose of the sensor so many seconds after the first ray. */
+/** The pose of the sensor at a time after the first ray. */
 using SensorMotion = std::function<Pose2(double sinceFirstRay_s)>;
 
-/** A scan whose first ray leaves at time_s since the start; the stamp is left to the caller.
- *  @param random its own engine, so that the same seed gives the same scan */
+/** Casts a scan whose first ray leaves at time_s since the start. The stamp of the scan is left to
+ * the caller.
+ *  @param random used by nothing else, so that the same seed gives the same scan */
 SimulatedScan castScan(const Surroundings& surroundings, const SensorMotion& T_world_sensor,
                        double time_s, const LaserOptions& laser, std::mt19937_64& random);
 
-/** The same from a sensor at rest. */
+/** Casts a scan from a sensor at rest. */
 SimulatedScan castScan(const Surroundings& surroundings, const Pose2& T_world_sensor,
                        const LaserOptions& laser, std::mt19937_64& random);
 }  // namespace psmks

@@ -16,7 +16,7 @@ double length_m(const Path& path_m)
   return sum_m;
 }
 
-/** The place so far along a path. */
+/** The place at a distance along a path. */
 Eigen::Vector2d along(const Path& path_m, double way_m)
 {
   for (std::size_t i = 1; i < path_m.size(); ++i)

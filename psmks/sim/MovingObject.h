@@ -8,14 +8,15 @@
 
 namespace psmks
 {
-/** A disc that walks along a path, there and back again for ever, at a constant speed: a person. */
+/** A disc that moves along a path at a constant speed, to its end and back again without end. It
+ * stands for a person. */
 struct MovingObject
 {
   double radius_m = 0.2;
   double speed_mps = 0.8;
   std::vector<Eigen::Vector2d> path_m;  //!< at least one point
 
-  /** Where its centre is. */
+  /** The place of its centre at a time. */
   Eigen::Vector2d place_m(double time_s) const;
 
   Disc disc(double time_s) const { return {place_m(time_s), radius_m}; }

@@ -5,7 +5,7 @@
 
 namespace psmks
 {
-/** An office floor of 32 x 20 m: 24 furnished rooms along two corridors that a third one joins. The
- * same seed gives the same floor. */
+/** An office floor of 32 x 20 m with 24 furnished rooms along two corridors, which a third one
+ * joins. The same seed gives the same floor. */
 Site makeOfficeFloor(unsigned seed);
 }  // namespace psmks

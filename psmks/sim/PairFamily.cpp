@@ -10,7 +10,7 @@ namespace psmks
 {
 namespace
 {
-/** Two bare walls with nothing else in reach of the scanner. */
+/** Two bare walls. Nothing else is within the range of the scanner. */
 Site makeBareCorridor(unsigned seed)
 {
   constexpr double kLength_m = 400, kNarrowest_m = 1.8, kWidest_m = 2.6;
@@ -90,7 +90,7 @@ void addPlain(std::vector<PairFamily>& families)
                                                        shortSightedLms()))));
 }
 
-/** As L180_medium but for one thing. */
+/** Adds families that differ from L180_medium in one property each. */
 void addHarder(std::vector<PairFamily>& families)
 {
   const auto flawed = [](double LaserOptions::*flaw, double value)
@@ -99,7 +99,7 @@ void addHarder(std::vector<PairFamily>& families)
     laser.*flaw = value;
     return laser;
   };
-  constexpr double kBeam_rad = degToRad(0.5);  // neighbouring beams touch
+  constexpr double kBeam_rad = degToRad(0.5);  // so wide that neighbouring beams touch
   families.push_back(
       in(makeCurved, office("curved", "rooms full of round and thin things", lms())));
   families.push_back(
@@ -116,7 +116,7 @@ void addHarder(std::vector<PairFamily>& families)
       in(makeBareCorridor, office("corridor", "bare corridor, medium", shortSightedLms())));
 }
 
-/** As real scanners have them. */
+/** Adds families with the numbers of rays of real scanners. */
 void addRayCounts(std::vector<PairFamily>& families)
 {
   families.push_back(office("rays181", "181 rays over 180 degrees (SICK LMS 200 at 1 degree)",
@@ -129,7 +129,7 @@ void addRayCounts(std::vector<PairFamily>& families)
       office("rays1081", "1081 rays over 270 degrees (Hokuyo UTM-30LX)", scanner(270, 1081, 30)));
 }
 
-/** Scanners as config/sensors describes them, with the noise that stands there. */
+/** Adds families with the scanners of config/sensors and the noise that these files state. */
 void addScanners(std::vector<PairFamily>& families)
 {
   const auto noisy = [](LaserOptions laser, const RangeNoise& noise)
@@ -164,7 +164,7 @@ std::vector<PairFamily> makeFamilies()
 }
 }  // namespace
 
-// Rounding adds an error that is even over a quantum.
+// Rounding adds an error that is uniformly distributed over one quantum.
 RangeNoise PairFamily::rangeNoise() const
 {
   const double sigma_m =

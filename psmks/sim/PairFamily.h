@@ -9,33 +9,34 @@
 
 namespace psmks
 {
-/** A kind of generated scan pairs: where, with which scanner, how far apart. */
+/** A kind of generated scan pairs: the world, the scanner and the displacement. */
 struct PairFamily
 {
   std::string name;
   std::string description;  //!< one line
   LaserOptions laser;
-  double maxTranslation_m = 0.5;              //!< between the two scans, in any direction
-  double maxRotation_rad = degToRad(15);      //!< either way
-  int people = 0;                             //!< around, who move between the two scans
+  double maxTranslation_m = 0.5;          //!< largest distance of the two scans, in any direction
+  double maxRotation_rad = degToRad(15);  //!< largest rotation, in either direction
+  int people = 0;                         //!< number of people, who move between the two scans
   Site (*makeSite)(unsigned seed) = nullptr;  //!< its route is not used
 
-  /** Of a range, rounding to the quantum included. */
+  /** The noise of a range, including the rounding to the quantum. */
   RangeNoise rangeNoise() const;
 };
 
-/** All of them: the plain ones, then the harder ones.
+/** All families: first the plain ones, then those with one difficulty more.
  *
  * Scanners: `L180`: 361 rays over 180 degrees, 30 m (SICK LMS 200 at half a degree); `L180r8`: the
  * same, 8 m; `L360`: 360 rays all round, 30 m; `urg04lx` and others: those of config/sensors, with
- * their noise. Displacements: `small` to 0.15 m and 5 degrees,
- * `medium` 0.5 m and 15, `large` 1 m and 20; where the name does not say, it is medium. The noise
- * is 1 cm and the worlds are office floors of 32 x 20 m where nothing else is said. */
+ * their noise. Displacements: `small` is up to 0.15 m and 5 degrees, `medium` 0.5 m and 15 degrees,
+ * `large` 1 m and 20 degrees. Unless the name or the description says otherwise, the displacement
+ * is medium, the noise is 1 cm, and the worlds are office floors of 32 x 20 m. */
 const std::vector<PairFamily>& pairFamilies();
 
-/** The family of a name, or null. */
+/** The family of a name, or null if there is none. */
 const PairFamily* findPairFamily(const std::string& name);
 
-/** @throws std::invalid_argument naming the known ones for a name that is not known */
+/** The family of a name.
+ *  @throws std::invalid_argument if there is none; the text lists all names */
 const PairFamily& pairFamily(const std::string& name);
 }  // namespace psmks

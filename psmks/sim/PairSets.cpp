@@ -11,14 +11,14 @@ namespace psmks
 {
 namespace
 {
-constexpr int kWorlds = 6;  // of one set
+constexpr int kWorlds = 6;  // number of worlds of a set
 
 double draw(std::mt19937_64& random, double low, double high)
 {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-/** The engine of one pair for one purpose. */
+/** The random engine of one pair for one purpose. */
 std::mt19937_64 engine(unsigned seed, int pair, unsigned purpose)
 {
   std::seed_seq sequence{seed, static_cast<unsigned>(pair), purpose};
@@ -42,7 +42,7 @@ Pose2 drawOdometry(const Pose2& T_ref_cur, std::mt19937_64& random)
   return {x_m, y_m, T_ref_cur.phi_rad * (1 + share(random))};
 }
 
-/** Makes the pairs of a set, one by one. */
+/** Makes the pairs of a set one by one. */
 class PairMaker
 {
  public:
@@ -70,10 +70,12 @@ class PairMaker
  private:
   const WorldIndex& world(const SimulatedPair& pair) const { return worlds_[pair.world]; }
 
-  /** Puts sensor and people somewhere; false where that is no place for a pair. */
+  /** Chooses the poses of the sensor and the people of a pair.
+   *  @return false if the chosen place does not suit a pair */
   bool place(SimulatedPair& pair, std::mt19937_64& random) const
   {
-    constexpr int kStrollWays = 40;  // from the middle of a floor to any of its rooms
+    constexpr int kStrollWays =
+        40;  // enough straight walks to reach every room from the middle of a floor
     WalkerOptions robot;
     robot.elbowRoom_m = kSensorClearance_m;
     Walker walker(world(pair), starts_[pair.world].translation(), robot, random);
@@ -99,7 +101,7 @@ class PairMaker
     return static_cast<int>(pair.people.size()) == family_.people;
   }
 
-  /** Someone whom nothing hides from the reference, and who then goes a step or two. */
+  /** A person in full view of the reference, who then walks a step or two. */
   std::optional<MovingObject> person(const SimulatedPair& pair, std::mt19937_64& random) const
   {
     constexpr double kToSensor_m = 0.6;
@@ -115,7 +117,8 @@ class PairMaker
     return person;
   }
 
-  /** Casts both scans; false where they do not see enough of the same. */
+  /** Casts both scans.
+   *  @return false if they do not overlap enough */
   bool scan(SimulatedPair& pair, std::mt19937_64& noise) const
   {
     pair.reference = cast(pair, pair.T_world_ref, 0, noise);

@@ -9,15 +9,16 @@
 
 namespace psmks
 {
-/** Two simulated scans of one place, with the truth. */
+/** Two simulated scans of one place and their true poses. */
 struct SimulatedPair
 {
-  int id = 0;             //!< its place in the set
+  int id = 0;             //!< its number in the set
   std::size_t world = 0;  //!< index into PairSet::worlds
   Pose2 T_world_ref;
   Pose2 T_ref_cur_true;
   Pose2 T_ref_cur_odometry;
-  std::vector<MovingObject> people;  //!< at time 0 in the reference, kBetweenScans_s in the current
+  std::vector<MovingObject>
+      people;  //!< at time 0 in the reference scan, kBetweenScans_s in the current one
   SimulatedScan reference, current;
 
   Pose2 T_world_cur() const { return T_world_ref * T_ref_cur_true; }
@@ -25,28 +26,30 @@ struct SimulatedPair
 
 constexpr double kBetweenScans_s = 1;
 
-/** Of the odometry's error to the displacement: per axis to the distance, and to the rotation. */
+/** Ratio of the standard deviation of the odometry to the displacement: on each axis to the
+ * distance, and of the heading to the rotation. */
 constexpr double kOdometryNoise = 0.05;
 
-/** The sensor keeps this distance to all that stands, at both scans and on the way between. */
+/** Least distance of the sensor from all objects at rest, at both scans and on the straight line
+ * between them. */
 constexpr double kSensorClearance_m = 0.4;
 
-/** Share of the current scan that the reference sees too, at least. */
+/** Least share of the current scan that the reference sees as well. */
 constexpr double kLeastOverlap = 0.4;
 
-/** Pairs of one family. */
+/** The pairs of one family. */
 struct PairSet
 {
   PairFamily family;
-  std::vector<WorldIndex> worlds;  //!< without people; the pairs take them in turn
+  std::vector<WorldIndex> worlds;  //!< without people; used by the pairs in turn
   std::vector<SimulatedPair> pairs;
 };
 
-/** So many pairs of a family. The same seed gives the same bytes, and the first pairs of a set do
- * not depend on how many follow; another seed gives other worlds. Sets of one seed that only differ
- * in the scanner show the same places as far as people and overlap allow.
+/** Makes pairs of a family. The same seed gives the same bytes, and the first pairs of a set do not
+ * depend on how many follow them. Another seed gives other worlds. Sets of one seed that differ in
+ * the scanner alone show the same places, as far as people and the overlap allow.
  *
- * The sensor stands anywhere that one can walk to, heading anywhere.
+ * The sensor stands at any place that can be reached on foot, with any heading.
  *  @param count >= 0 */
 PairSet makePairSet(const PairFamily& family, unsigned seed, int count);
 }  // namespace psmks

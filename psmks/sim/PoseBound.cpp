@@ -12,7 +12,8 @@ namespace
 {
 constexpr double kOutlierSigmas = 6;
 
-/** What can be met, by Hit::object, moved into the frame of the reference. */
+/** The surfaces that rays can meet, addressed by Hit::object, in the frame of the reference scan.
+ */
 class ObjectsFromReference
 {
  public:
@@ -48,7 +49,7 @@ class ObjectsFromReference
   Pose2 T_ref_world_;
 };
 
-/** Sums of all objects over both scans. */
+/** The sums of RangeInformation of all objects over both scans. */
 class BoundSums
 {
  public:
@@ -128,8 +129,8 @@ PoseBound poseBound(const World& world, const Pose2& T_world_ref, const Simulate
   return sums.bound();
 }
 
-// (information + covariance^-1) error = pull + covariance^-1 prior, multiplied by the covariance,
-// which may then be singular.
+// The normal equations are (information + covariance^-1) error = pull + covariance^-1 prior. Both
+// sides are multiplied by the covariance, which may then be singular.
 Eigen::Vector3d mostLikelyError(const PoseBound& bound, const Eigen::Vector3d& priorError,
                                 const Eigen::Matrix3d& priorCovariance)
 {

@@ -11,7 +11,8 @@ namespace psmks
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kForward_rad = degToRad(90.5);  // a scanner of 180 degrees with its outer rays
+constexpr double kForward_rad =
+    degToRad(90.5);  // includes the outer rays of a scanner of 180 degrees
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
@@ -23,8 +24,8 @@ double area_m2(const RayFan::End& right, const RayFan::End& left)
   return cross(right.point_m, left.point_m) / 2;
 }
 
-// The method measures in millimetres inside its logarithm, which makes it nearly constant: far
-// places draw a little more than their area.
+// The source takes the logarithm of a length in millimetres. It varies little, so that far places
+// weigh only a little more than their area.
 double weight(const RayFan::End& right, const RayFan::End& left)
 {
   constexpr double kMillimetres = 1000;

@@ -9,50 +9,52 @@
 
 namespace psmks
 {
-/** The free space before a robot: the fan between it and the ends of its rays. */
+/** The free space in front of a robot: the polygon between the robot and the end points of its
+ * rays.
+ */
 class RayFan
 {
  public:
-  /** Where a ray ends, seen from the robot. */
+  /** The end point of a ray, as seen from the robot. */
   struct End
   {
     Eigen::Vector2d point_m;
     double bearing_rad, range_m;
   };
 
-  /** The rays of a scan that point forward, at most 90.5 degrees aside. Those that are longer and
-   *  those without return end there.
-   *  @param farthest_m from the scanner */
+  /** Takes the rays of a scan that point at most 90.5 degrees away from straight ahead.
+   *  @param farthest_m length to which longer rays and those without return are set */
   RayFan(const Scan& scan, const Pose2& T_robot_sensor, double farthest_m);
 
-  /** The part between two bearings. */
+  /** The part of the fan between two bearings. */
   RayFan sector(double right_rad, double left_rad) const;
 
-  /** The same with no ray longer than the reach. */
+  /** The fan with its rays cut to a length. */
   RayFan clipped(double reach_m) const;
 
   int count() const { return static_cast<int>(ends_.size()); }
   double area_m2() const;
-  double halfAngle_rad() const;  //!< half of the angle between the outermost rays
+  double halfAngle_rad() const;  //!< half the angle between the outer rays
   double meanRange_m() const;    //!< 0 without rays
 
-  /** Mean of the centroids of its triangles, each weighted with its area and the logarithm of its
-   *  length; the robot's own place where the fan is empty. */
+  /** The weighted mean of the centroids of the triangles between neighbouring rays. A triangle is
+   * weighted with its area and the logarithm of its length. Without rays it is the place of the
+   * robot. */
   Eigen::Vector2d areaCentre_m() const;
 
-  /** Distance from a place to the outline that joins the ends of the rays, infinity without rays.
-   */
+  /** Distance from a place to the polyline through the end points of the rays; infinity without
+   * rays. */
   double outlineDistance_m(const Eigen::Vector2d& place_m) const;
 
-  /** Distance from a place to the nearest end of a ray, infinity without rays. */
+  /** Distance from a place to the nearest end point of a ray; infinity without rays. */
   double clearance_m(const Eigen::Vector2d& place_m) const;
 
-  /** Distance from the way between two places to the nearest end of a ray, infinity without rays.
-   */
+  /** Distance from the straight line between two places to the nearest end point of a ray; infinity
+   * without rays. */
   double wayClearance_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const;
 
-  /** How far a lane of a width is free along a bearing: the farthest the rays see where nothing is
-   *  in it, 0 without rays. */
+  /** How far a lane of the given width is free along a bearing. It is the farthest range of the fan
+   * if nothing lies in the lane, and 0 without rays. */
   double lane_m(double bearing_rad, double width_m) const;
 
  private:

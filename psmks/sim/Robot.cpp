@@ -16,7 +16,8 @@ double approached_mps(double speed_mps, double commanded_mps, const RobotOptions
 }
 }  // namespace
 
-// An arc of length l that turns by phi has the chord l sin(phi / 2) / (phi / 2), half way turned.
+// An arc of length l that turns by phi has a chord of l sin(phi / 2) / (phi / 2) in the direction
+// phi / 2.
 Pose2 WheelSpeeds::motion(double track_m, double duration_s) const
 {
   const double length_m = (left_mps + right_mps) / 2 * duration_s;

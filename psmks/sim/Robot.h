@@ -7,27 +7,27 @@
 
 namespace psmks
 {
-/** Speeds of the rims of the two driven wheels. */
+/** The speeds of the rims of the two driven wheels. */
 struct WheelSpeeds
 {
   double left_mps = 0, right_mps = 0;
 
-  /** The motion of the robot while its wheels keep these speeds: an arc. */
+  /** The motion of the robot while the wheels keep these speeds. It is an arc. */
   Pose2 motion(double track_m, double duration_s) const;
 };
 
-/** A robot with differential drive; the defaults are a Pioneer 3-AT's. */
+/** A robot with differential drive. The defaults are those of a Pioneer 3-AT. */
 struct RobotOptions
 {
-  double track_m = 0.40;              //!< between the wheels
-  double radius_m = 0.38;             //!< of the disc that collides
-  double maxSpeed_mps = 1.2;          //!< of a wheel
-  double maxAcceleration_mps2 = 1.0;  //!< of a wheel
-  double wheelNoise = 0.05;           //!< a wheel runs at (1 + U(-noise, noise)) times its speed
-  double noiseStep_s = 0.02;          //!< so long, then the noise is drawn anew, for each wheel
+  double track_m = 0.40;              //!< distance between the wheels
+  double radius_m = 0.38;             //!< radius of the disc that collides
+  double maxSpeed_mps = 1.2;          //!< highest speed of a wheel
+  double maxAcceleration_mps2 = 1.0;  //!< highest acceleration of a wheel
+  double wheelNoise = 0.05;           //!< a wheel moves at (1 + U(-noise, noise)) times its speed
+  double noiseStep_s = 0.02;          //!< time after which the noise of each wheel is drawn anew
 };
 
-/** Where a robot is and where its wheels say it is. */
+/** A simulated robot: its true pose, its odometry and the speeds of its wheels. */
 class Robot
 {
  public:
@@ -36,17 +36,19 @@ class Robot
   {
   }
 
-  /** Drives on for one noise step: the wheels approach the commanded speeds as fast as they can
-   * accelerate, the odometry counts their speeds, the ground adds its noise. */
+  /** Moves the robot for one noise step. The wheels approach the commanded speeds with their
+   * highest acceleration. The odometry integrates the speeds of the wheels, the true pose those
+   * with noise.
+   */
   void advance(const WheelSpeeds& commanded, std::mt19937_64& random);
 
-  /** A collision: robot and odometry are back where they were before the last step, wheels at
-   * rest. */
+  /** Handles a collision: the true pose and the odometry return to where they were before the last
+   * step, and the wheels stop. */
   void stop();
 
   const RobotOptions& options() const { return options_; }
   const Pose2& T_world_robot() const { return truth_; }
-  const Pose2& T_start_odometry() const { return odometry_; }  //!< since the start, by the wheels
+  const Pose2& T_start_odometry() const { return odometry_; }  //!< pose by the odometry
   const WheelSpeeds& speeds() const { return speeds_; }
 
  private:

@@ -5,7 +5,7 @@ namespace psmks
 {
 namespace
 {
-/** A number between two by the share of the way. */
+/** Interpolates linearly between two numbers. */
 double between(double from, double to, double share) { return from + share * (to - from); }
 }  // namespace
 
@@ -56,7 +56,7 @@ Route Room::visit(double toMiddle_m) const
 
 Box Room::against(int side, const Eigen::Vector2d& size_m, double along) const
 {
-  constexpr double kGap_m = 0.02;  // behind furniture
+  constexpr double kGap_m = 0.02;  // between a wall and the furniture along it
   const double halfWidth_m = size_m.x() / 2 + kGap_m, halfDepth_m = size_m.y() / 2 + kGap_m;
   Eigen::Vector2d centre_m;
   if (side == 0)

@@ -26,39 +26,45 @@ class Room
 
   struct Plan
   {
-    double begin_m, end_m;  //!< along the frontage
-    double near_m, far_m;   //!< into it
+    double begin_m, end_m;  //!< coordinates along the frontage
+    double near_m, far_m;   //!< depths behind the frontage
     bool doorAtBegin;
   };
 
   Room(const Frontage& frontage, const Plan& plan) : frontage_(frontage), plan_(plan) {}
 
-  /** Along the frontage, of the centre of the doorway. */
+  /** The coordinate along the frontage of the centre of the doorway. */
   double door_m() const;
 
-  /** Draws its walls without furniture; the passage to the corridor is the frontage's. */
+  /** Draws the walls of the room without furniture. The passage through the wall of the corridor
+   * belongs to the frontage. */
   void drawInto(World& world) const;
 
-  /** The leaf of its door, wide open. */
+  /** The leaf of the door, which stands wide open. */
   World::Wall leaf() const;
 
-  /** Where the leaf swings. */
+  /** The area in which the leaf of the door swings. */
   Box doorway() const;
 
-  /** From the corridor into the room, once around a loop there and out again.
-   *  @param toMiddle_m from the frontage to the line of the corridor that the route follows */
+  /** A route from the corridor into the room, around a loop there, and back.
+   *  @param toMiddle_m distance from the frontage to the line that the route follows in the
+   *      corridor */
   Route visit(double toMiddle_m) const;
 
-  /** A box against the wall opposite to the door (0) or against a side wall (1, 2).
-   *  @param along 0 to 1: from one corner to the other */
+  /** A box at a wall.
+   *  @param side 0 is the wall opposite the door, 1 and 2 are the side walls
+   *  @param along place along the wall, 0 to 1 from one corner to the other */
   Box against(int side, const Eigen::Vector2d& size_m, double along) const;
 
-  /** A box in the open, far enough from the walls for any angle.
-   *  @param share of the way from corner to corner, 0 to 1 */
+  /** A box that keeps clear of the walls at any angle.
+   *  @param share its place as shares of the way between opposite walls, 0 to 1 */
   Box inTheOpen(const Eigen::Vector2d& share, const Eigen::Vector2d& size_m, double phi_rad) const;
 
  private:
-  double inward() const { return plan_.doorAtBegin ? 1 : -1; }  //!< along, from the door
+  double inward() const
+  {
+    return plan_.doorAtBegin ? 1 : -1;
+  }  //!< direction from the door along the frontage
 
   Frontage frontage_;
   Plan plan_;

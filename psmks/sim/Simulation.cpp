@@ -8,15 +8,15 @@ namespace psmks
 {
 namespace
 {
-/** Between two poses a noise step apart: along the chord, which no arc of a step leaves by more
- *  than a tenth of a millimetre. */
+/** Interpolates between two poses that are one noise step apart, along the chord. The arc of a step
+ * is nowhere farther than a tenth of a millimetre from its chord. */
 Pose2 between(const Pose2& a, const Pose2& b, double share)
 {
   return {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m),
           wrapAngle(a.phi_rad + share * wrapAngle(b.phi_rad - a.phi_rad))};
 }
 
-/** The state of a simulation: a robot on its way. */
+/** A simulation in progress: the robot, the time and the random engines. */
 class Drive
 {
  public:
@@ -24,13 +24,13 @@ class Drive
         const SimulationOptions& options)
       : surroundings_(surroundings), options_(options), robot_(options.robot, T_world_start)
   {
-    // Two engines of one seed: another laser leaves the noise of the wheels as it is.
+    // Two engines from one seed, so that the noise of the wheels does not depend on the laser.
     std::seed_seq ofWheels{options.seed, 1U}, ofLaser{options.seed, 2U};
     wheelRandom_.seed(ofWheels);
     laserRandom_.seed(ofLaser);
   }
 
-  /** Takes a scan, asks the driver once its sweep is over, and drives on until the next one. */
+  /** Takes a scan, asks the driver after the sweep, and drives until the next scan. */
   RecordedScan drivePeriod(Driver& driver)
   {
     const int sweepSteps =
@@ -68,7 +68,8 @@ class Drive
     const double before_m = clearance_m();
     robot_.advance(command_, wheelRandom_);
     ++steps_;
-    // Something that walked into the robot does not hold it: it may leave.
+    // A moving object that has touched the robot must not hold it: steps that lead away are
+    // allowed.
     const double after_m = clearance_m();
     if (after_m >= options_.robot.radius_m || after_m > before_m) return;
     robot_.stop();
@@ -81,7 +82,8 @@ class Drive
                                      2 * options_.robot.radius_m, now_s());
   }
 
-  /** @param poses of the robot, one a noise step from the first ray on */
+  /** Casts a scan from a moving robot.
+   *  @param poses of the robot from the first ray on, one noise step apart */
   SimulatedScan scanAlong(const std::vector<Pose2>& poses, double start_s)
   {
     const auto T_world_sensor = [&](double sinceFirstRay_s)

@@ -8,12 +8,12 @@ namespace psmks
 /** What a ray met. */
 struct Hit
 {
-  static constexpr int kNothing = -1;  //!< no object within the range
-  double range_m = 0;                  //!< the range asked for where nothing was met
-  int object = kNothing;               //!< see World::Object; any number >= 0 elsewhere
+  static constexpr int kNothing = -1;  //!< there is no object within the range
+  double range_m = 0;                  //!< the maximum range if nothing was met
+  int object = kNothing;  //!< see World::objectOf(); other surroundings use any numbers >= 0
 
-  /** Takes over what else the ray meets where that is nearer; of two things at one range the one
-   * with the lower number counts, in whatever order they come. */
+  /** Replaces the hit by another one if that is nearer. Of two objects at the same range the one
+   * with the lower number counts, so that the result does not depend on the order. */
   void take(double otherRange_m, int otherObject)
   {
     const bool nearer = otherRange_m < range_m;
@@ -22,19 +22,19 @@ struct Hit
   }
 };
 
-/** What a simulated robot finds around itself: the interface of everything one can drive in. */
+/** The interface of everything that a simulated robot can drive in. */
 class Surroundings
 {
  public:
   virtual ~Surroundings() = default;
 
-  /** The nearest thing along a ray.
+  /** The nearest object along a ray.
    *  @param direction unit vector
-   *  @param time_s since the start, where things move */
+   *  @param time_s time since the start, for surroundings with moving objects */
   virtual Hit cast(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction,
                    double maxRange_m, double time_s) const = 0;
 
-  /** Distance from a point to the nearest thing, but limit_m where that is farther. */
+  /** Distance from a point to the nearest object, or limit_m if that is smaller. */
   virtual double clearance_m(const Eigen::Vector2d& point_m, double limit_m,
                              double time_s) const = 0;
 };

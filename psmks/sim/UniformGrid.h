@@ -6,15 +6,15 @@
 
 namespace psmks
 {
-/** A rectangle of the plane in square cells, numbered row by row. */
+/** A rectangle of the plane that is divided into square cells, numbered row by row. */
 class UniformGrid
 {
  public:
-  /** One cell about the origin. */
+  /** Makes a grid of one cell at the origin. */
   UniformGrid() = default;
 
-  /** Covers the rectangle between two corners.
-   *  @param cell_m at least; doubled until the cells are no more than kMaxCells */
+  /** Makes a grid that covers the rectangle between two corners.
+   *  @param cell_m least size of a cell; doubled until there are at most kMaxCells */
   UniformGrid(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_m, double cell_m);
 
   static constexpr int kMaxCells = 1 << 22;
@@ -28,13 +28,13 @@ class UniformGrid
   const Eigen::Vector2d& low_m() const { return low_m_; }
   Eigen::Vector2d high_m() const { return low_m_ + cell_m_ * Eigen::Vector2d(columns_, rows_); }
 
-  /** Of the cell. */
+  /** The centre of a cell. */
   Eigen::Vector2d centre_m(int column, int row) const
   {
     return low_m_ + cell_m_ * Eigen::Vector2d(column + 0.5, row + 0.5);
   }
 
-  /** Of a place, the nearest one where it lies outside. */
+  /** The column of a place, or the nearest one if the place is outside the grid. */
   int column(double x_m) const { return clamped((x_m - low_m_.x()) / cell_m_, columns_); }
   int row(double y_m) const { return clamped((y_m - low_m_.y()) / cell_m_, rows_); }
 

@@ -7,7 +7,7 @@
 
 namespace psmks
 {
-// Discs of elbow room a stride apart cover the way but for slivers.
+// Free discs at a distance of one stride cover the straight line but for narrow gaps between them.
 bool isWayFree(const Surroundings& surroundings, const Eigen::Vector2d& from_m,
                const Eigen::Vector2d& to_m, double elbowRoom_m)
 {

@@ -9,9 +9,10 @@ namespace psmks
 namespace
 {
 constexpr double kArrived_m = 0.1;
-constexpr double kAlongRoute_m = 0.05;               // the target moves along the route so finely
-constexpr double kTurnOnTheSpot_rad = degToRad(60);  // bearing of the target
-constexpr double kReaction_s = 0.5;                  // a bearing is turned away in such a time
+constexpr double kAlongRoute_m = 0.05;  // spacing at which the target moves along the route
+constexpr double kTurnOnTheSpot_rad =
+    degToRad(60);                    // larger bearings of the target are turned to on the spot
+constexpr double kReaction_s = 0.5;  // time in which a bearing is turned to
 
 WheelSpeeds wheelSpeeds(double forward_mps, double rate_radps, double track_m)
 {
@@ -57,7 +58,7 @@ WheelSpeeds WaypointDriver::drive(const DriverView& view)
         std::clamp(bearing_rad / kReaction_s, -options_.turnRate_radps, options_.turnRate_radps);
     return wheelSpeeds(0, rate_radps, track_m_);
   }
-  // The arc that leaves along the heading and meets the target.
+  // Curvature of the arc that begins along the heading and passes through the target.
   const double curvature_1pm = 2 * std::sin(bearing_rad) / distance_m;
   const double forward_mps =
       std::min({options_.speed_mps, options_.turnRate_radps / std::abs(curvature_1pm),

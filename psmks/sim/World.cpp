@@ -19,9 +19,9 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 
 }  // namespace
 
-// origin + range * direction = a + share * (b - a), 0 <= share <= 1; crossing both sides with (b -
-// a) and with direction gives range and share, each times the same slope. Only a hit costs a
-// division.
+// Solves origin + range * direction = a + share * (b - a) with 0 <= share <= 1. The cross products
+// of both sides with (b - a) and with direction give range and share, each times the same slope, so
+// that only a hit needs a division.
 double World::Wall::rangeAlong_m(const Eigen::Vector2d& origin_m,
                                  const Eigen::Vector2d& direction) const
 {
@@ -68,7 +68,7 @@ World World::smallRoom()
 World World::smallClutter(unsigned seed)
 {
   constexpr std::size_t kWalls = 4 + 16 * 4;
-  constexpr double kGap_m = 0.9;  // between a box and everything placed before it
+  constexpr double kGap_m = 0.9;  // between a box and all those placed before it
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> side_m(0.3, 0.8), angle_rad(-kPi, kPi);
 
@@ -85,7 +85,7 @@ World World::smallClutter(unsigned seed)
 
 int World::objectOf(const Point& point) const
 {
-  if (point.circle == Point::kNoCircle) return kLonePoint;
+  if (point.circle == Point::kNoCircle) return kIsolatedPoint;
   return static_cast<int>(walls_.size()) + point.circle;
 }
 
@@ -142,8 +142,9 @@ double World::clearanceOfMoving_m(const Eigen::Vector2d& point_m, double limit_m
   return nearest_m;
 }
 
-// A ray to the right leaves the room once, and every box before it either not at all or once in and
-// once out: an odd number of walls. From inside a box it is an even one.
+// A ray to the right crosses an odd number of walls if the point is in the room and outside the
+// boxes: it leaves the room once, and crosses a box not at all or twice. From inside a box the
+// number is even.
 bool World::isFree(const Eigen::Vector2d& point_m) const
 {
   const auto crosses = [&point_m](const Wall& wall)

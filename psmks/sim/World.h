@@ -13,8 +13,8 @@
 
 namespace psmks
 {
-/** A plane of opaque things: straight walls, points, and objects that move. Plain data that answers
- * by looking at everything; WorldIndex answers the same fast. */
+/** A plane with opaque objects: straight walls, points and moving objects. It is plain data and
+ * answers by looking at all objects; WorldIndex gives the same answers fast. */
 class World : public Surroundings
 {
  public:
@@ -22,21 +22,21 @@ class World : public Surroundings
   {
     Eigen::Vector2d a, b;
 
-    /** Range at which a ray meets it, infinity where it does not.
+    /** The range at which a ray meets the wall, or infinity if it does not.
      *  @param direction unit vector */
     double rangeAlong_m(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction) const;
 
     double distance_m(const Eigen::Vector2d& point_m) const;
   };
 
-  /** Some of the points may lie on a common circle. */
+  /** A circle that some of the points lie on. */
   struct Circle
   {
     Eigen::Vector2d centre_m;
     double radius_m;
   };
 
-  /** A point is a disc, so that rays can meet it. */
+  /** A point. It is a small disc, so that rays can meet it. */
   struct Point
   {
     static constexpr int kNoCircle = -1;
@@ -48,18 +48,18 @@ class World : public Surroundings
 
   static constexpr double kPointRadius_m = 0.01;
 
-  /** Hit::object counts through the walls, then the circles, then the moving objects; a point that
-   * lies on no circle is kLonePoint. */
-  static constexpr int kLonePoint = 1 << 30;
+  /** The value of Hit::object for a point that lies on no circle. Walls have the numbers from 0 on,
+   * then follow the circles, then the moving objects. */
+  static constexpr int kIsolatedPoint = 1 << 30;
 
   World() = default;
   explicit World(std::vector<Wall> walls) : walls_(std::move(walls)) {}
 
-  /** A room of 14 x 11 m about the origin with 7 boxes parallel to its walls: 32 walls. */
+  /** A room of 14 x 11 m about the origin with 7 boxes parallel to its walls. It has 32 walls. */
   static World smallRoom();
 
-  /** The same room with 16 boxes of random place, size and angle instead: 68 walls. The same seed
-   *  gives the same world. */
+  /** The room of smallRoom() with 16 boxes of random place, size and angle instead. It has 68
+   * walls. The same seed gives the same world. */
   static World smallClutter(unsigned seed);
 
   const std::vector<Wall>& walls() const { return walls_; }
@@ -67,7 +67,7 @@ class World : public Surroundings
   const std::vector<Point>& points() const { return points_; }
   const std::vector<MovingObject>& movingObjects() const { return movingObjects_; }
 
-  /** The number that a hit on one of them has. */
+  /** The value of Hit::object for a point. */
   int objectOf(const Point& point) const;
   int objectOfMoving(std::size_t movingObject) const;
 
@@ -75,19 +75,19 @@ class World : public Surroundings
            double time_s) const override;
   double clearance_m(const Eigen::Vector2d& point_m, double limit_m, double time_s) const override;
 
-  /** The same for the moving objects alone.
-   *  @param nearest what the ray has met so far, taken over where nothing is nearer */
+  /** Casts a ray at the moving objects alone.
+   *  @param nearest what the ray has met so far; returned if no moving object is nearer */
   Hit castAtMoving(const Eigen::Vector2d& origin_m, const Eigen::Vector2d& direction,
                    const Hit& nearest, double time_s) const;
   double clearanceOfMoving_m(const Eigen::Vector2d& point_m, double limit_m, double time_s) const;
 
-  /** The line that a wall lies on as a sensor there sees it, without covariance. */
+  /** The line of a wall in the frame of a sensor, with zero covariance. */
   Line lineFrom(int wall, const Pose2& T_world_sensor) const;
 
-  /** True inside the room and outside its boxes, where all of them are closed outlines. */
+  /** Whether a point is inside the room and outside its boxes. All outlines must be closed. */
   bool isFree(const Eigen::Vector2d& point_m) const;
 
-  /** A pose anywhere in the free space, heading anywhere, at least this far from everything. */
+  /** A random pose in the free space that keeps the given distance from all objects. */
   Pose2 randomFreePose(double minClearance_m, std::mt19937_64& random) const;
 
   void addWall(const Wall& wall) { walls_.push_back(wall); }
@@ -100,8 +100,8 @@ class World : public Surroundings
     points_.push_back({centre_m, Point::kNoCircle});
   }
 
-  /** Adds points on an arc of a circle, evenly spaced from one angle to the other, both ends
-   * included; on a full turn the last point, which would meet the first one, is left out. */
+  /** Adds points on an arc of a circle, evenly spaced from the first angle to the last, both
+   * included. On a full turn the last point would coincide with the first and is left out. */
   void addArc(const Circle& circle, double first_rad, double last_rad, int points);
 
   void addMovingObject(MovingObject object) { movingObjects_.push_back(std::move(object)); }

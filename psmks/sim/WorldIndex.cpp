@@ -9,7 +9,7 @@ namespace psmks
 {
 namespace
 {
-// Cells are taken a little larger than they are, so that no thing on a border is lost to rounding.
+// Cells are enlarged by this margin, so that no object on a border is lost to rounding.
 constexpr double kMargin_m = 1e-6;
 
 UniformGrid gridAround(const World& world)
@@ -39,8 +39,8 @@ void forCellsBetween(const UniformGrid& grid, const Eigen::Vector2d& low_m,
       visit(column, row);
 }
 
-/** True where the line of a wall passes a square: the centre is no farther from the line than the
- * square reaches across it. */
+/** Whether the line of a wall passes through a square: the distance from the centre to the line is
+ * then at most the half width of the square across the line. */
 bool lineMeetsSquare(const World::Wall& wall, const Eigen::Vector2d& centre_m, double half_m)
 {
   const Eigen::Vector2d along = wall.b - wall.a, toCentre = centre_m - wall.a;
@@ -111,8 +111,8 @@ void WorldIndex::castInCell(int cell, const Eigen::Vector2d& origin_m,
     nearest.take(point.disc().rangeAlong_m(origin_m, direction), world_.objectOf(point));
 }
 
-// Rings of cells around the one of the point, or around the one nearest to it where it lies outside
-// the grid: whatever is not in n + 1 rings is at least n cells away.
+// Visits rings of cells around the cell of the point, or around the nearest cell if the point is
+// outside the grid. Objects that are not in the first n + 1 rings are at least n cells away.
 double WorldIndex::clearance_m(const Eigen::Vector2d& point_m, double limit_m, double time_s) const
 {
   double nearest_m = limit_m;

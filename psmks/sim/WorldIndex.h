@@ -10,11 +10,11 @@
 
 namespace psmks
 {
-/** A world made fast to look up: its walls and points sorted into the cells of a uniform grid,
- * which a ray visits in order until a hit lies before the next cell. Moving objects are looked at
- * one by one. Answers exactly as World does.
+/** An index of a world for fast ray casting. Walls and points are sorted into the cells of a
+ * uniform grid, which a ray visits in order until it has a hit before the next cell. Moving objects
+ * are tested one by one. The answers are exactly those of World.
  *
- * Immutable: may serve several threads. */
+ * It is immutable and may serve several threads. */
 class WorldIndex : public Surroundings
 {
  public:
@@ -36,7 +36,7 @@ class WorldIndex : public Surroundings
 
   World world_;
   UniformGrid grid_;
-  CellLists<int> walls_;  //!< by number
+  CellLists<int> walls_;  //!< numbers of the walls in each cell
   CellLists<World::Point> points_;
 };
 }  // namespace psmks

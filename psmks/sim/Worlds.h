@@ -10,19 +10,19 @@
 
 namespace psmks
 {
-/** A world with the place where a robot starts and, where one is driven by hand, its route. */
+/** A world with the pose at which a robot starts and, for drives by hand, a route. */
 struct Site
 {
   World world;
   Pose2 T_world_start;
-  std::optional<Route> route;  //!< of the hand-driven runs (office, campus)
+  std::optional<Route> route;  //!< for drives by hand (office, campus)
 };
 
-/** The names that makeSite() knows. */
+/** The names that makeSite() accepts. */
 std::vector<std::string> siteNames();
 
-/** A world of the paper's kinds by name, with the paper's counts. The same seed gives the same
- * world.
+/** Makes a world like one of the paper's, with the same numbers of walls and points. The same seed
+ * gives the same world.
  *
  *  - `room` (a): 32 walls: a room of 24 x 18 m with 7 boxes parallel to it
  *  - `clutter` (b): 130 walls: the same with 31 boxes at any angle and 2 free walls
@@ -31,6 +31,6 @@ std::vector<std::string> siteNames();
  *  - `office`: 139 walls on 200 m^2, with a route of 94 m and 8 turns
  *  - `campus`: 507 walls on 1,200 m^2 with long corridors, with a route of 134 m and 10 turns
  *
- *  @throws std::invalid_argument naming the known ones for any other name */
+ *  @throws std::invalid_argument for any other name; the text lists the known ones */
 Site makeSite(const std::string& name, unsigned seed);
 }  // namespace psmks

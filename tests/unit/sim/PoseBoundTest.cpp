@@ -287,7 +287,7 @@ TEST(PoseBound, LonePointsAndMovingObjectsSayNothing)
     std::replace(scan.objectOfRay.begin(), scan.objectOfRay.end(), from, to);
     return scan;
   };
-  for (const int object : {World::kLonePoint, 9})
+  for (const int object : {World::kIsolatedPoint, 9})
   {
     const auto withoutColumn = [](int, int met) { return met != 8; };
     const PoseBound ignored = boundOf(room(), renamed(exactScan(room(), kReference), 8, object),

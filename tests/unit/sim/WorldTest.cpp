@@ -82,7 +82,7 @@ TEST(World, PointsAreDiscsOfOneCentimetre)
   world.addPoint({2, 0});
   const Hit hit = world.cast({5, 0}, {-1, 0}, 30, 0);
   EXPECT_DOUBLE_EQ(hit.range_m, 3 - World::kPointRadius_m);
-  EXPECT_EQ(hit.object, World::kLonePoint);
+  EXPECT_EQ(hit.object, World::kIsolatedPoint);
   EXPECT_EQ(world.cast({5, 0.011}, {-1, 0}, 30, 0).object, 0);
   EXPECT_DOUBLE_EQ(world.clearance_m({2, 0.5}, 100, 0), 0.5 - World::kPointRadius_m);
 }

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/geometry/Angle.h>
-#include <psmks/sim/DriftFloor.h>
+#include <psmks/sim/DriftBound.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -10,34 +10,37 @@ namespace psmks
 {
 namespace
 {
-// Wheels that hardly turned: keeps a prior of a robot at rest invertible.
+// Covariance that is added to that of the wheels, so that the prior of a robot at rest is
+// invertible.
 const Eigen::Matrix3d kRest = Eigen::Vector3d(1e-10, 1e-10, 1e-10).asDiagonal();
 
-/** Estimate minus truth of (x, y, phi), both in the axes of the reference. */
+/** The error of (x, y, phi): estimate minus truth, in the axes of the reference. */
 Eigen::Vector3d difference(const Pose2& estimate, const Pose2& truth)
 {
   return {estimate.x_m - truth.x_m, estimate.y_m - truth.y_m,
           wrapAngle(estimate.phi_rad - truth.phi_rad)};
 }
+
 Pose2 displaced(const Pose2& truth, const Eigen::Vector3d& error)
 {
   return {truth.x_m + error.x(), truth.y_m + error.y(), wrapAngle(truth.phi_rad + error.z())};
 }
 
-/** The keyframes of a map, by the index of their scans. */
-class FloorMap
+/** The pose graph of the keyframes, addressed by the indices of their scans. */
+class KeyframeGraph
 {
  public:
-  explicit FloorMap(std::size_t scans) : nodeOf_(scans) {}
+  explicit KeyframeGraph(std::size_t scans) : nodeOf_(scans) {}
 
-  /** Its present pose; none for a scan that is no keyframe. */
+  /** The present pose of a keyframe; nothing for a scan that is not a keyframe. */
   std::optional<Pose2> find(std::size_t scan) const
   {
     if (!nodeOf_[scan]) return std::nullopt;
     return graph_.poses()[*nodeOf_[scan]];
   }
 
-  /** @param links between scans; those from scans that are no keyframes are left out */
+  /** Adds a keyframe and optimises the graph.
+   *  @param links to the new keyframe; those from scans that are not keyframes are left out */
   void add(std::size_t scan, const Pose2& guess, const std::vector<PoseLink>& links)
   {
     nodeOf_[scan] = graph_.add(guess);
@@ -53,7 +56,7 @@ class FloorMap
 };
 }  // namespace
 
-DriftFloor::DriftFloor(const World& world, const Recording& recording,
+DriftBound::DriftBound(const World& world, const Recording& recording,
                        const SimulationOptions& simulation)
     : world_(world),
       recording_(recording),
@@ -63,16 +66,16 @@ DriftFloor::DriftFloor(const World& world, const Recording& recording,
 {
 }
 
-std::vector<Pose2> DriftFloor::poses(const std::vector<FloorStep>& steps) const
+std::vector<Pose2> DriftBound::poses(const std::vector<DriftBoundStep>& steps) const
 {
-  // Without links between keyframes each pose simply hangs on its reference.
+  // Without links between keyframes, each pose follows from that of its reference alone.
   const bool withMap = std::any_of(steps.begin(), steps.end(),
-                                   [](const FloorStep& step) { return !step.links.empty(); });
-  std::vector<Pose2> online;  // when the scan came
-  FloorMap map(steps.size());
+                                   [](const DriftBoundStep& step) { return !step.links.empty(); });
+  std::vector<Pose2> online;  // pose of each scan when it was added
+  KeyframeGraph map(steps.size());
   for (std::size_t scan = 0; scan < steps.size(); ++scan)
   {
-    const FloorStep& step = steps[scan];
+    const DriftBoundStep& step = steps[scan];
     const auto poseOf = [&](std::size_t s) { return map.find(s).value_or(online[s]); };
     std::vector<PoseLink> links;
     if (scan == 0)
@@ -91,7 +94,7 @@ std::vector<Pose2> DriftFloor::poses(const std::vector<FloorStep>& steps) const
   return online;
 }
 
-PoseLink DriftFloor::matched(std::size_t reference, std::size_t current) const
+PoseLink DriftBound::matched(std::size_t reference, std::size_t current) const
 {
   const RecordedScan& ref = recording_.scans[reference];
   const RecordedScan& cur = recording_.scans[current];
@@ -104,30 +107,31 @@ PoseLink DriftFloor::matched(std::size_t reference, std::size_t current) const
   return {reference, current, displaced(truth, error), bound.information + covariance.inverse()};
 }
 
-PoseLink DriftFloor::linked(std::size_t reference, std::size_t current) const
+PoseLink DriftBound::linked(std::size_t reference, std::size_t current) const
 {
   const RecordedScan& ref = recording_.scans[reference];
   const RecordedScan& cur = recording_.scans[current];
   const PoseBound bound =
       poseBound(world_, ref.T_world_robot, ref.simulated, cur.T_world_robot, cur.simulated, noise_);
-  // A metre and a radian: a direction that the scans leave open says nothing.
+  // A prior of 1 m and 1 rad keeps directions that the scans do not constrain finite; their
+  // information in the link is zero.
   const Eigen::Vector3d error =
       mostLikelyError(bound, Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity());
   return {reference, current, displaced(ref.T_world_robot.inverse() * cur.T_world_robot, error),
           bound.information};
 }
 
-Pose2 DriftFloor::measuredMotion(std::size_t reference, std::size_t current) const
+Pose2 DriftBound::measuredMotion(std::size_t reference, std::size_t current) const
 {
   return recording_.scans[reference].T_start_odometry.inverse() *
          recording_.scans[current].T_start_odometry;
 }
 
-/** Both wheels run independently of each other with a factor of uniform noise, drawn anew for each
- * noise step: a way w driven in n steps has the variance w^2 / n * noise^2 / 3. A wheel's error
- * moves the robot along its heading by half of it and turns it by error / track, and a turn moves
- * everything that is driven after it. */
-Eigen::Matrix3d DriftFloor::wheelCovariance(std::size_t reference, std::size_t current) const
+/** Each wheel has its own factor of uniform noise, drawn anew for each noise step. A distance w
+ * driven in n steps then has the variance w^2 / n * noise^2 / 3. An error of one wheel moves the
+ * robot along its heading by half of the error and turns it by error / track, and each turn
+ * displaces everything that is driven after it. */
+Eigen::Matrix3d DriftBound::wheelCovariance(std::size_t reference, std::size_t current) const
 {
   const double steps = scanPeriod_s_ / robot_.noiseStep_s;
   const double variancePerSquare = robot_.wheelNoise * robot_.wheelNoise / 3 / steps;
