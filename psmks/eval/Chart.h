@@ -10,7 +10,7 @@
 
 namespace psmks
 {
-/** One curve or cloud of points. */
+/** A curve or a set of points. */
 struct ChartSeries
 {
   enum class Style
@@ -21,34 +21,34 @@ struct ChartSeries
     Points
   };
 
-  std::string name;                     //!< in the legend; empty = not there
-  std::vector<Eigen::Vector2d> points;  //!< one that is not finite breaks the line
+  std::string name;                     //!< text in the legend; empty = no entry
+  std::vector<Eigen::Vector2d> points;  //!< a point that is not finite interrupts the curve
   Style style = Style::Line;
-  std::optional<unsigned> rgb = std::nullopt;  //!< 0xrrggbb; default: the next of a palette
+  std::optional<unsigned> rgb = std::nullopt;  //!< 0xrrggbb; default: the next colour of a palette
 };
 
-/** What a chart shows of an axis; NaN = as far as the data reach. */
+/** The part of an axis that a chart shows. A NaN stands for the limit of the data. */
 struct ChartRange
 {
   double min = std::numeric_limits<double>::quiet_NaN();
   double max = std::numeric_limits<double>::quiet_NaN();
-  bool logarithmic = false;  //!< what is not positive is not shown
+  bool logarithmic = false;  //!< values that are not positive are not shown
 };
 
-/** Series over one pair of axes, as data. Texts are shown as they are: no markup. */
+/** Series over one pair of axes. Texts are shown as they are, without markup. */
 struct Chart
 {
   std::string title;
   std::string xLabel, yLabel;  //!< with units
   std::vector<ChartSeries> series;
   ChartRange xRange, yRange;
-  bool equalAspect = false;  //!< a metre is as long upwards as sideways: maps and paths
+  bool equalAspect = false;  //!< a unit has the same length on both axes, as in maps
 };
 
-/** A picture of one chart, 1000 x 700 pixels; see save() in Figure.h. */
+/** Draws a picture of one chart with 1000 x 700 pixels; see save() in Figure.h. */
 bool save(const Chart& chart, const std::string& path, std::string* reason = nullptr);
 
-/** A line for each wall, map segment, ...: the ends of each, with breaks in between. */
+/** A series of separate straight lines, such as walls, from the two ends of each. */
 ChartSeries lineSegments(const std::string& name,
                          const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& ends);
 }  // namespace psmks

@@ -15,7 +15,8 @@ namespace
 {
 std::vector<CommonPose> commonByStamp(const Trajectory& estimate, const Trajectory& truth)
 {
-  constexpr double kAsDense = 1.5;  // times the step of the estimate, whose stamps jitter
+  constexpr double kAsDense = 1.5;  // a truth with larger steps than this many of the estimate is
+                                    // not as dense; stamps jitter
   std::vector<CommonPose> common;
   double last_s = -std::numeric_limits<double>::infinity();
   for (const auto& [stamp_s, pose] : estimate)
@@ -43,7 +44,8 @@ std::vector<CommonPose> commonByNumber(const Trajectory& estimate, const Traject
   return common;
 }
 
-/** No stamp lies where the numbers are. */
+/** Whether the stamps of the estimate lie outside the numbers of the rows, so that they are times.
+ */
 bool hasTimesBeyond(const Trajectory& estimate, const Trajectory& numbered)
 {
   return std::all_of(estimate.begin(), estimate.end(),

@@ -7,30 +7,32 @@
 
 namespace psmks
 {
-/** A pose of an estimated trajectory and the true one at the same time, each in its own world. */
+/** An estimated pose and the true pose at the same time, each in the frame of its own world. */
 struct CommonPose
 {
   double stamp_s = 0;
   Pose2 T_estimated, T_true;
 
-  /** The truth is known here as well as the estimate: it has a pose at this very time (up to
-   * kStampTolerance_s), or lies at least as dense. Elsewhere T_true stands on the straight line
-   * between two poses that are further apart, which is good enough for an error of position, but
-   * not for one of the motion from scan to scan. */
+  /** Whether the truth was measured here: it has a pose within kStampTolerance_s of this time, or
+   * its poses are at least as dense as those of the estimate. Otherwise T_true is interpolated on a
+   * straight line between poses that are farther apart. This is good enough for errors of
+   * positions, but not for errors of motions from scan to scan. */
   bool isMeasured = false;
 };
 
-/** The poses of an estimate, in its order, at which a truth is known: interpolated to their stamps,
- * across gaps of kMaxGap_s at most. The stamps of the estimate may repeat and go backwards.
+/** The poses of an estimate, in its order, for which the truth is known. The truth is interpolated
+ * to their stamps, across gaps of at most kMaxGap_s. The stamps of the estimate may repeat and go
+ * backwards.
  *
- * A truth whose stamps are but the numbers 0, 1, 2, ... of its rows (MRPT's UWB data set) while the
- * estimate has times belongs to the estimate's poses row by row. Of one pose more the first has no
- * row: a log that begins with an observation has one before its first action. With other numbers of
- * rows nobody knows which pose is whose, and there are no common poses.
+ * If the stamps of the truth are only the numbers 0, 1, 2, ... of its rows (MRPT's UWB data set)
+ * and those of the estimate are times, then rows and poses are taken in pairs. If there is one pose
+ * more than rows, the first pose has no row: a log that begins with an observation has a scan
+ * before its first action. With other numbers the correspondence is unknown, and there are no
+ * common poses.
  *
  * @param truth in the order of its stamps */
 std::vector<CommonPose> commonPoses(const Trajectory& estimate, const Trajectory& truth);
 
-/** Are the stamps the numbers 0, 1, 2, ...? */
+/** Whether the stamps of a trajectory are the numbers 0, 1, 2, ... */
 bool isNumbered(const Trajectory& trajectory);
 }  // namespace psmks

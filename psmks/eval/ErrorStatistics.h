@@ -9,24 +9,24 @@
 
 namespace psmks
 {
-/** What errors come to; NaN where there are none. */
+/** Statistics of a set of errors; NaN if there are none. */
 struct ErrorStatistics
 {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
   double mean = kNone;
-  double std = kNone;  //!< about the mean, of these very errors (divided by their number)
+  double std = kNone;  //!< about the mean, divided by the number of errors
   double rms = kNone, median = kNone, p95 = kNone, max = kNone;
 };
 
 ErrorStatistics errorStatistics(const std::vector<double>& errors);
 
-/** The errors of poses or motions. */
+/** Statistics of the errors of poses or motions. */
 struct PairErrorStatistics
 {
   std::size_t count = 0;
   ErrorStatistics translation_m, rotation_rad;
-  ErrorStatistics squaredTranslation_m2;        //!< of the squares of the translations' errors
+  ErrorStatistics squaredTranslation_m2;        //!< of the squared errors of the translations
   double withinLimit = ErrorStatistics::kNone;  //!< share of the errors below both limits
 };
 

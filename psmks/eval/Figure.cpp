@@ -33,7 +33,8 @@ int rowsOf(const Figure& figure)
   return std::max((panels + columns - 1) / columns, 1);
 }
 
-/** @param kind "svg" or "pngcairo" */
+/** The gnuplot command that selects the kind of picture.
+ *  @param kind "svg" or "pngcairo" */
 std::string terminal(const std::string& kind, const Figure& figure)
 {
   return "set encoding utf8\nset terminal " + kind + " noenhanced size " +

@@ -12,23 +12,23 @@ namespace psmks
 {
 using Panel = std::variant<Chart, HeatMap>;
 
-/** Charts and maps side by side in one picture, row by row. */
+/** Charts and heat maps in one picture, row by row. */
 struct Figure
 {
-  std::string title;  //!< above all; empty = none
+  std::string title;  //!< above all panels; empty = none
   std::vector<Panel> panels;
   int columns = 2;
   int panelWidth_px = 700, panelHeight_px = 600;
 };
 
-/** Draws with gnuplot, which must be installed: PNG, or SVG where the path ends in `.svg`. An
- * existing file is replaced.
- *  @param[out] reason why it failed, one sentence; may be null
- *  @return false where no picture was written */
+/** Draws a picture with gnuplot, which must be installed. The format is SVG if the path ends in
+ * `.svg`, else PNG. An existing file is replaced.
+ *  @param[out] reason one sentence that says why it failed; may be null
+ *  @return false if no picture was written */
 bool save(const Figure& figure, const std::string& path, std::string* reason = nullptr);
 
-/** The figure as an SVG document, drawn with gnuplot.
- *  @param[out] reason why there is none, one sentence; may be null
- *  @return empty where it cannot be drawn */
+/** Draws the figure as an SVG document with gnuplot.
+ *  @param[out] reason one sentence that says why it failed; may be null
+ *  @return the document; empty if it cannot be drawn */
 std::string svgText(const Figure& figure, std::string* reason = nullptr);
 }  // namespace psmks

@@ -17,7 +17,7 @@ namespace
 {
 using File = std::unique_ptr<FILE, int (*)(FILE*)>;
 
-/** A nameless file that vanishes when it is closed. */
+/** A file without a name, which is removed when it is closed. */
 File temporaryFile() { return {std::tmpfile(), std::fclose}; }
 
 std::string textOf(FILE* file)
@@ -30,10 +30,11 @@ std::string textOf(FILE* file)
   return text;
 }
 
-/** What gnuplot calls an error stands behind the number of its line: "line 3: unknown command". */
-std::string firstComplaint(const std::string& complaints)
+/** The first error message of gnuplot. Such a message follows the number of a line: "line 3:
+ * unknown command". */
+std::string firstErrorMessage(const std::string& messages)
 {
-  std::istringstream in(complaints);
+  std::istringstream in(messages);
   for (std::string line; std::getline(in, line);)
   {
     const std::size_t number = line.find("line "), colon = line.find(':', number);
@@ -44,14 +45,15 @@ std::string firstComplaint(const std::string& complaints)
   return "no reason given";
 }
 
-/** Starts gnuplot; 0 or an error number. */
-int start(FILE* script, FILE* output, FILE* complaints, pid_t& process)
+/** Starts gnuplot.
+ *  @return 0 or an error number */
+int start(FILE* script, FILE* output, FILE* messages, pid_t& process)
 {
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_adddup2(&files, fileno(script), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&files, fileno(output), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, fileno(complaints), STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&files, fileno(messages), STDERR_FILENO);
   std::string program = "gnuplot", settings = "--default-settings";
   std::array<char*, 3> arguments{program.data(), settings.data(), nullptr};
   const int error =
@@ -74,17 +76,17 @@ std::string gnuplotString(const std::string& text)
 
 GnuplotRun runGnuplot(const std::string& script)
 {
-  const File input = temporaryFile(), output = temporaryFile(), complaints = temporaryFile();
-  if (!input || !output || !complaints) return {"no temporary file can be made", ""};
+  const File input = temporaryFile(), output = temporaryFile(), messages = temporaryFile();
+  if (!input || !output || !messages) return {"no temporary file can be made", ""};
   std::fwrite(script.data(), 1, script.size(), input.get());
   std::rewind(input.get());
 
   pid_t process = 0;
-  if (const int error = start(input.get(), output.get(), complaints.get(), process))
+  if (const int error = start(input.get(), output.get(), messages.get(), process))
     return {std::string("gnuplot cannot be run: ") + std::strerror(error), ""};
   int status = 0;
   waitpid(process, &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {"", textOf(output.get())};
-  return {"gnuplot failed: " + firstComplaint(textOf(complaints.get())), ""};
+  return {"gnuplot failed: " + firstErrorMessage(textOf(messages.get())), ""};
 }
 }  // namespace psmks

@@ -5,14 +5,15 @@
 
 namespace psmks
 {
-/** A text as a gnuplot string in which nothing has a meaning. Control characters become spaces. */
+/** Quotes a text as a gnuplot string without any special characters. Control characters become
+ * spaces. */
 std::string gnuplotString(const std::string& text);
 
-/** What a run of gnuplot left behind. */
+/** The result of a run of gnuplot. */
 struct GnuplotRun
 {
-  std::string failure;  //!< why it failed, one sentence; empty where it did not
-  std::string output;   //!< the pictures that were not sent to a file
+  std::string failure;  //!< one sentence that says why it failed; empty if it did not
+  std::string output;   //!< the pictures that gnuplot wrote to its standard output
 };
 
 /** Runs gnuplot on a script, without a shell. */

@@ -30,10 +30,9 @@ std::string titleCommands(const std::string& title, const std::string& xLabel,
          "\nset ylabel " + gnuplotString(yLabel) + '\n';
 }
 
-// ---- charts
-// ------------------------------------------------------------------------------------
+// Charts
 
-// Okabe and Ito: told apart by colour-blind readers, too.
+// The palette of Okabe and Ito, which colour-blind readers can tell apart.
 constexpr std::array<unsigned, 7> kPalette{0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7,
                                            0xE69F00, 0x56B4E9, 0x000000};
 
@@ -41,7 +40,8 @@ const char* const kEqualAspect =
     "set size ratio -1\nset offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03\n";
 const char* const kFreeAspect = "set size noratio\nset offsets 0, 0, 0, 0\n";
 
-/** One side of a chart's frame: "x" or "y". */
+/** The commands for one axis.
+ *  @param axis "x" or "y" */
 std::string axisCommands(const std::string& axis, const ChartRange& range)
 {
   std::ostringstream out = numberStream();
@@ -67,7 +67,7 @@ bool isShown(const ChartSeries& series, const Chart& chart)
                      [&chart](const Eigen::Vector2d& p) { return isShown(p, chart); });
 }
 
-/** Inline data; an empty line breaks the curve. */
+/** A series as inline data, in which an empty line interrupts the curve. */
 std::string dataBlock(const std::string& name, const ChartSeries& series, const Chart& chart)
 {
   std::ostringstream out = numberStream();
@@ -121,16 +121,16 @@ std::string plotCommand(const Chart& chart)
   return blocks + plots + '\n';
 }
 
-// ---- heat maps
-// ---------------------------------------------------------------------------------
+// Heat maps
 
-// Viridis: as dark to bright in grey, and to colour-blind readers.
+// The colour map Viridis. Its brightness increases monotonically, for grey prints and colour-blind
+// readers.
 const char* const kColours =
     "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
 
-constexpr double kBrightShare = 0.6;  // of the colours, from here on black is read better
+constexpr double kBrightShare = 0.6;  // share of the colour range above which numbers are black
 
-/** The ends of the cell around centre i. */
+/** The two ends of the cell around centre i. */
 std::pair<double, double> cellEnds(const std::vector<double>& centres, std::size_t i)
 {
   if (centres.size() == 1) return {centres[0] - 0.5, centres[0] + 0.5};
@@ -139,7 +139,7 @@ std::pair<double, double> cellEnds(const std::vector<double>& centres, std::size
   return {centres[i] - before / 2, centres[i] + after / 2};
 }
 
-/** A tic at every centre, and no more frame than the cells. */
+/** The commands for an axis with a tic at each centre and a frame that ends with the cells. */
 std::string cellAxisCommands(const std::string& axis, const std::vector<double>& centres)
 {
   std::ostringstream out = numberStream();
@@ -151,7 +151,7 @@ std::string cellAxisCommands(const std::string& axis, const std::vector<double>&
   return out.str();
 }
 
-/** A cell a line: centre, ends, value, colour of its number. */
+/** The cells as inline data, one on each line: centre, ends, value, colour of its number. */
 std::string cellBlock(const HeatMap& map)
 {
   const double bright = map.valueMin + kBrightShare * (map.valueMax - map.valueMin);

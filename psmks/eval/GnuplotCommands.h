@@ -8,7 +8,7 @@
 
 namespace psmks
 {
-/** The commands that draw a panel on a terminal that is set up, whatever was drawn before. */
+/** The commands that draw a panel on the present terminal, whatever was drawn before. */
 std::string gnuplotCommands(const Chart& chart);
 std::string gnuplotCommands(const HeatMap& map);
 }  // namespace psmks

@@ -5,6 +5,7 @@
 
 namespace psmks
 {
-/** A text in which nothing is markup, for elements and for quoted attributes. */
+/** Escapes a text for the content of elements and for quoted attributes, so that nothing in it is
+ * markup. */
 std::string htmlText(const std::string& text);
 }  // namespace psmks

@@ -7,10 +7,10 @@
 
 namespace psmks
 {
-/** Poses further apart in time are not interpolated. */
+/** Poses that are farther apart in time are not interpolated. */
 constexpr double kMaxGap_s = 2.0;
 
-/** The two poses of a trajectory around a time; the same one twice where it is of that very time.
+/** The two poses of a trajectory around a time. Both are the same pose if its stamp is that time.
  */
 struct Bracket
 {
@@ -18,17 +18,18 @@ struct Bracket
 
   double gap_s() const { return after.stamp_s - before.stamp_s; }
 
-  /** From a time between the two to the nearer of them. */
+  /** The difference between a time in the bracket and the nearer of the two stamps. */
   double nearest_s(double stamp_s) const;
 
-  /** On the straight line from one to the other, turning evenly. */
+  /** The pose on the straight line between the two, with the heading turning at a constant rate. */
   Pose2 poseAt(double stamp_s) const;
 };
 
-/** None before the first and after the last pose and in gaps of more than kMaxGap_s.
+/** The poses around a time. There are none before the first and after the last pose, and in gaps of
+ * more than kMaxGap_s.
  *  @param trajectory in the order of its stamps */
 std::optional<Bracket> bracketAt(const Trajectory& trajectory, double stamp_s);
 
-/** The pose at a time, interpolated; none where there is no bracket. */
+/** The interpolated pose at a time; nothing if there is no bracket. */
 std::optional<Pose2> poseAt(const Trajectory& trajectory, double stamp_s);
 }  // namespace psmks

@@ -10,18 +10,19 @@
 
 namespace psmks
 {
-/** A motion further than this from another one, in either, contradicts it. */
+/** Two motions contradict each other if they differ by more than one of these. */
 constexpr PairError kJumpLimit{0.3, degToRad(10)};
 
-/** How many of the true motions an estimate jumps over: it contradicts the truth, and the odometry
- * as well, so that a match must have moved it. A pose that jumps there and back makes two jumps.
+/** The number of jumps of an estimate: true motions that contradict both the estimate and the
+ * odometry of the estimate's motion, so that a wrong match must have caused the difference. A
+ * single wrong pose makes two jumps, there and back.
  *  @param odometry one pose for each pose of the estimate, in the same order
- *  @param truth short motions: over long ones estimate and odometry drift apart without a jump.
- * Those whose ends have no pose do not count */
+ *  @param truth short motions, for over long ones estimate and odometry differ by drift; motions
+ *         whose ends have no pose in the estimate do not count */
 int countJumps(const Trajectory& estimate, const Trajectory& odometry,
                const std::vector<Relation>& truth);
 
-/** The motions between consecutive poses of an estimate as they truly were, where the truth was
- * measured; see CommonPose. */
+/** The true motions between consecutive poses of an estimate, if the truth was measured at both,
+ * see CommonPose::isMeasured. */
 std::vector<Relation> trueSteps(const Trajectory& estimate, const Trajectory& truth);
 }  // namespace psmks

@@ -11,11 +11,11 @@
 
 namespace psmks
 {
-/** Sharpness of a map without ground truth: the number of cells that the end points of all scans,
- * laid over each other, fall into. The better the poses, the fewer they are.
+/** A measure of the sharpness of a map that needs no ground truth: the number of cells that hold an
+ * end point of any scan. The better the poses fit together, the fewer cells are occupied.
  *
- *  Counted are valid rays between the two ranges; a point lies in the cell (floor(x / cell),
- *  floor(y / cell)). */
+ * Only valid rays between the two ranges are counted. A point lies in the cell (floor(x / cell),
+ * floor(y / cell)). */
 class OccupiedCells
 {
  public:
@@ -23,7 +23,8 @@ class OccupiedCells
   static constexpr double kMinRange_m = 0.1;
   static constexpr double kMaxRange_m = 15.0;
 
-  /** @param T_map_sensor pose of the scan's sensor in the frame that the cells lie in */
+  /** Adds a scan.
+   *  @param T_map_sensor pose of its sensor in the frame of the cells */
   void add(const Scan& scan, const Pose2& T_map_sensor);
 
   std::size_t count() const { return cells_.size(); }

@@ -19,7 +19,7 @@ namespace psmks
 {
 namespace
 {
-/** A scan taken apart, at its true pose. */
+/** A segmented scan with its circles at its true pose. */
 struct TruthView
 {
   Pose2 T_ref_scan;
@@ -48,7 +48,7 @@ void addLines(const TruthView& view, SharedLines& lines)
   for (const Segment& segment : view.shortLines) lines.add(segment, view.T_ref_scan);
 }
 
-/** Gives every ray of a scan to the wall that it ends on. */
+/** Adds each ray of a scan to the information of the wall on which it ends. */
 void addRays(const TruthView& view, bool isCurrent, const SharedLines& lines,
              std::vector<RangeInformation>& walls)
 {
@@ -83,7 +83,8 @@ Eigen::Matrix3d lineInformation(const TruthView& reference, const TruthView& cur
   return sums.information / reference.scan.rangeNoise.varianceAt_m2(0);
 }
 
-/** A pair of circles holds R q + t against p, with the covariance of both. */
+/** The information of pairs of circles. A pair measures R q + t = p, with the covariances of both
+ * centres p and q. */
 Eigen::Matrix3d circleInformation(const TruthView& reference, const TruthView& current)
 {
   constexpr double kSamePlace_m = 0.05;
@@ -99,7 +100,7 @@ Eigen::Matrix3d circleInformation(const TruthView& reference, const TruthView& c
   return information;
 }
 
-/** Errors of position and heading drawn from bounds. */
+/** Draws random errors of position and heading with the covariances of bounds. */
 class ErrorDraws
 {
  public:
@@ -109,7 +110,7 @@ class ErrorDraws
     const bool isPositionKnown = observability(information).weakSigma_m < kOpen_m;
     const double headingSigma_rad = 1 / std::sqrt(headingInformation(information));
     const bool isHeadingKnown = headingSigma_rad < kOpen_rad;
-    // With information = L L', the covariance of inv(L') white is its inverse.
+    // With information = L L', the vector inv(L') white has the inverse of it as its covariance.
     const Eigen::LLT<Eigen::Matrix2d> position(positionInformation(information));
     for (int i = 0; i < kDrawsPerPair; ++i)
     {
@@ -124,17 +125,19 @@ class ErrorDraws
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  static constexpr double kOpen_m = 0.5, kOpen_rad = degToRad(20);  // known worse: not at all
+  static constexpr double kOpen_m = 0.5,
+                          kOpen_rad = degToRad(20);  // larger sigmas count as infinite
 
-  /** Of the position alone, whatever the heading. */
+  /** The information of the position if the heading is estimated too. */
   static Eigen::Matrix2d positionInformation(const Eigen::Matrix3d& information)
   {
     const Eigen::Vector2d coupling = information.topRightCorner<2, 1>();
     return information.topLeftCorner<2, 2>() - coupling * coupling.transpose() / information(2, 2);
   }
 
-  /** Of the heading alone, whatever the position. A direction that the scans leave open does not
-   * tell of the heading: where it seems to, the lines are parallel but for their noise. */
+  /** The information of the heading if the position is estimated too. A direction in which the
+   * scans do not constrain the position takes nothing away from the heading: a coupling with it
+   * comes from the noise of parallel lines. */
   static double headingInformation(const Eigen::Matrix3d& information)
   {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> position(

@@ -11,32 +11,33 @@
 
 namespace psmks
 {
-/** How well the relative pose of two scans can be known: the Cramer-Rao bound with the lines and
- * circles of the world as unknowns, both scans noisy, linearised at the true pose.
+/** The Cramer-Rao bound of the relative pose of two noisy scans, with the lines and circles of the
+ * world as further unknowns, linearised at the true pose.
  *
- * It needs no map of the world, so that it can be had for measured scans too: the lines are those
- * that the scans themselves show once they lie on each other. What neither scan shows as a line of
- * 3 rays or more or both do not show as a circle is left out, and so are ends and corners: the
- * bound is a few percent higher than with a map (PoseBound), and in round and cluttered places
- * more, where a matcher may even be better than it. */
+ * It needs no map of the world and can be computed for real scans too: the lines are found in the
+ * scans themselves after they are laid over each other at the true pose. Walls on which neither
+ * scan has 3 rays, circles that only one scan shows, ends and corners are left out. The bound is
+ * therefore a few percent higher than one with a map (PoseBound), and higher still in round and
+ * cluttered places, where a matcher can be better than it. */
 struct PairBound
 {
-  /** Inverse of the bound of the error (x, y, phi) of T_ref_cur in the axes of the reference: m, m,
-   * rad. Singular or nearly so where the scans leave it open; zero where they have no line in
-   * common. */
+  /** The inverse of the bound of the covariance of the error (x, y, phi) of T_ref_cur in the axes
+   * of the reference: m, m, rad. It is singular, or nearly so, in directions that the scans do not
+   * constrain, and zero if they have no line in common. */
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
-/** @param noise of the ranges, known and > 0 */
+/** Computes the bound of two scans.
+ *  @param noise of the ranges, known and > 0 */
 PairBound pairBound(const Scan& reference, const Scan& current, const Pose2& T_ref_cur_true,
                     const RangeNoise& noise);
 
-/** Errors of a matcher that reaches the bound of every pair: normal ones drawn with the covariance
- * of each bound, several a pair, the same for the same bounds. Infinite where a pair leaves them
- * open. */
+/** Random errors of a matcher that reaches the bound of each pair: normally distributed with the
+ * covariances of the bounds, several for each pair. The same bounds give the same errors. An error
+ * is infinite if the scans do not constrain it. */
 std::vector<PairError> drawnErrors(const std::vector<PairBound>& bounds);
 
-/** The figures of drawnErrors(); NaN without bounds. */
+/** Statistics of drawnErrors(); NaN without bounds. */
 struct BoundSummary
 {
   double translationMedian_m = 0, translationP95_m = 0;

@@ -9,30 +9,30 @@
 
 namespace psmks
 {
-/** How far an estimated pose of the current scan is from the true one. */
+/** The error of an estimated pose of the current scan. */
 struct PairError
 {
   double translation_m = 0;  //!< >= 0
   double rotation_rad = 0;   //!< >= 0
 };
 
-/** A matched pair is a success below both of these, where nothing else is said. */
+/** The default limit of a success: both errors of a match must be below it. */
 constexpr PairError kSuccessLimit{0.05, degToRad(1)};
 
-/** An accepted pair is wrong above so many times either limit of a success. */
+/** An accepted match is wrong if an error exceeds this many times the limit of a success. */
 constexpr double kWrongFactor = 2;
 
 PairError pairError(const Pose2& T_ref_cur, const Pose2& T_ref_cur_true);
 
 bool isSuccess(const PairError& error, const PairError& limit = kSuccessLimit);
 
-/** True where a caller was told to trust the pose without reserve (usable, and no direction flagged
- *  as not observable) and should not have.
+/** Whether a match was reported as usable, without an unobservable direction, and yet is wrong.
  *  @param limit of a success */
 bool isAcceptedAndWrong(MatchStatus status, const PairError& error,
                         const PairError& limit = kSuccessLimit);
 
-/** Normalised estimation error squared, e' C^-1 e with e = (dx, dy, dphi) in reference axes: 3 on
- *  average where the covariance is right. NaN where the covariance is not positive definite. */
+/** Normalised estimation error squared, e' C^-1 e with e = (dx, dy, dphi) in the axes of the
+ * reference. Its mean is 3 if the covariance is right.
+ *  @return NaN if the covariance is not positive definite */
 double nees(const Pose2& T_ref_cur, const Eigen::Matrix3d& covariance, const Pose2& T_ref_cur_true);
 }  // namespace psmks

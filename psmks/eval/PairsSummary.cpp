@@ -72,7 +72,7 @@ std::vector<Table::Cell> tableRow(const PairsRun& run, const PairsSummary& s,
           s.timeMedian_s / timeUnit_s};
 }
 
-/** The row of a matcher that does as well as can be. */
+/** The row of the bound, which stands for the best possible matcher. */
 std::vector<Table::Cell> boundRow(const std::string& guess, const BoundSummary& bound,
                                   std::size_t columns)
 {

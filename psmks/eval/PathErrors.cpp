@@ -13,8 +13,8 @@ PairError motionError(const CommonPose& from, const CommonPose& to)
   return pairError(from.T_estimated.inverse() * to.T_estimated, from.T_true.inverse() * to.T_true);
 }
 
-/** Sums of cosines and sines: the direction of the rotation that they ask for. */
-struct RotationVotes
+/** Sums of cosines and sines of a rotation; their direction is the least-squares rotation. */
+struct RotationSums
 {
   double cosines = 0, sines = 0;
 
@@ -49,11 +49,12 @@ Centroids centroidsOf(const std::vector<CommonPose>& common)
   return {sums.estimated / n, sums.truth / n};
 }
 
-/** Rotation of the estimate's world in the truth's. */
+/** The rotation from the frame of the estimate into that of the truth. */
 double rotationBetween(const std::vector<CommonPose>& common, const Centroids& centroids)
 {
-  constexpr double kOpen_m2 = 1e-12;  // of summed squares: rounding
-  RotationVotes positions, headings;
+  constexpr double kOpen_m2 = 1e-12;  // sums of squares below it are rounding error: the positions
+                                      // then determine no rotation
+  RotationSums positions, headings;
   for (const auto& [stamp_s, T_estimated, T_true, isMeasured] : common)
   {
     positions.addTurn(T_estimated.translation() - centroids.estimated,
@@ -70,8 +71,9 @@ Pose2 layFirstPoseOver(const std::vector<CommonPose>& common)
   return common.front().T_true * common.front().T_estimated.inverse();
 }
 
-// The centroids come to lie on each other, and the estimate turns about them by the angle that
-// maximises sum a_i' R b_i: atan2(sum b_i x a_i, sum b_i . a_i), a and b seen from the centroids.
+// The centroids are laid over each other, and the estimate is turned about them by the angle that
+// maximises the sum of a_i' R b_i: atan2(sum b_i x a_i, sum b_i . a_i), with a and b relative to
+// the centroids.
 Pose2 align(const std::vector<CommonPose>& common)
 {
   if (common.empty()) return {};

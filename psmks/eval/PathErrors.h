@@ -8,28 +8,28 @@
 
 namespace psmks
 {
-/** What lays the world of the estimate over that of the truth: T_true = T_truth_estimate *
- * T_estimated at the first common pose, as the paper does. Identity without poses. */
+/** The transformation T_truth_estimate that makes estimate and truth coincide at the first common
+ * pose, as in the paper. It is the identity without poses. */
 Pose2 layFirstPoseOver(const std::vector<CommonPose>& common);
 
-/** The same, with the least sum of squared distances between the positions (Umeyama, IEEE PAMI 13
- * (1991), in the plane and without scale). Where the positions leave the rotation open, as those of
- * a robot at rest do, the headings decide. */
+/** The transformation T_truth_estimate with the least sum of squared distances between the
+ * positions (Umeyama, IEEE PAMI 13 (1991), in the plane and without scale). If the positions do not
+ * determine the rotation, as for a robot at rest, the headings do. */
 Pose2 align(const std::vector<CommonPose>& common);
 
-/** Errors of the poses, one for each: T_true^-1 T_truth_estimate T_estimated. */
+/** The errors of the poses, T_true^-1 T_truth_estimate T_estimated, one for each. */
 std::vector<PairError> absoluteErrors(const std::vector<CommonPose>& common,
                                       const Pose2& T_truth_estimate);
 
-/** Errors of the motions between consecutive poses at which the truth was measured. */
+/** The errors of the motions between consecutive poses at which the truth was measured. */
 std::vector<PairError> stepErrors(const std::vector<CommonPose>& common);
 
-/** Errors of the motions over a length of the true path: from every pose to the first that comes at
- * least so much further along the path, scaled to exactly that length. None where the path is
- * shorter.
+/** The errors of the motions over a length of the true path: from each pose to the first one that
+ * is at least this length further along the path, scaled to exactly this length. There are none if
+ * the path is shorter.
  *  @param length_m > 0 */
 std::vector<PairError> driftErrors(const std::vector<CommonPose>& common, double length_m);
 
-/** Length of the true path up to each pose, straight from pose to pose. */
+/** The length of the true path up to each pose, measured straight from pose to pose. */
 std::vector<double> truePathLengths_m(const std::vector<CommonPose>& common);
 }  // namespace psmks

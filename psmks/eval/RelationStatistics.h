@@ -9,21 +9,23 @@
 
 namespace psmks
 {
-/** Relations that span less time tell of single matches, others of drift. */
+/** Relations that span less time measure single matches; longer ones measure drift. */
 constexpr double kShortSpan_s = 5;
 
-/** The errors of the relations that span a time from min_s up to, but not including, end_s. */
+/** The errors of the relations whose span is at least min_s and less than end_s. */
 std::vector<PairError> errorsSpanning(const std::vector<RelationError>& relations, double min_s = 0,
                                       double end_s = std::numeric_limits<double>::infinity());
 
-/** What the errors of relations come to; of none where a trajectory has poses for none. */
+/** Statistics of the errors of relations; of none if the trajectory has no poses at their stamps.
+ */
 struct RelationStatistics
 {
   PairErrorStatistics all;
-  PairErrorStatistics shortSpans;  //!< of those that span less than kShortSpan_s
+  PairErrorStatistics shortSpans;  //!< of the relations that span less than kShortSpan_s
 };
 
-/** @param limit of an error that counts as within */
+/** Computes the statistics of a trajectory.
+ *  @param limit of an error that counts as within */
 RelationStatistics relationStatistics(const Trajectory& estimate,
                                       const std::vector<Relation>& relations,
                                       const PairError& limit = kSuccessLimit);

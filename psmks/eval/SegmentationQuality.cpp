@@ -25,8 +25,8 @@ std::vector<std::vector<int>> raysOnWalls(const SegmentedScan& scan, const WallT
   return counts;
 }
 
-/** Error of (r0, phi0). Near the origin both forms of a line, (r0, phi0) and (-r0, phi0 + pi), are
- *  neighbours: the nearer one counts. */
+/** The error of (r0, phi0). A line near the origin is close to both forms (r0, phi0) and (-r0, phi0
+ * + pi) of the true line; the smaller error counts. */
 Eigen::Vector2d lineError(const Line& estimate, const Line& truth)
 {
   const double angle_rad = wrapAngle(estimate.phi0_rad - truth.phi0_rad);

@@ -7,37 +7,37 @@
 
 namespace psmks
 {
-/** Which wall every ray of a simulated scan met. */
+/** The walls that the rays of a simulated scan met. */
 struct WallTruth
 {
   static constexpr int kNoWall = -1;
-  std::vector<int> wallOfRay;  //!< index into lines, or kNoWall; one per ray
-  std::vector<Line> lines;     //!< of the walls, in the sensor frame; covariance not used
+  std::vector<int> wallOfRay;  //!< for each ray an index into lines, or kNoWall
+  std::vector<Line> lines;  //!< lines of the walls in the sensor frame; the covariance is not used
 };
 
-/** How segments compare with the walls they stand for, over many scans. A segment stands for the
- *  wall that most of its rays met. */
+/** Compares the segments of many scans with the true walls. A segment is compared with the wall
+ * that most of its rays met. */
 class SegmentationQuality
 {
  public:
   void add(const SegmentedScan& scan, const WallTruth& truth);
 
-  /** Share of the valid rays that belong to a segment. */
+  /** The share of the valid rays that belong to a segment. */
   double usedShare() const;
 
-  /** Share of these that met the wall of their segment. */
+  /** The share of the rays in segments that met the wall of their segment. */
   double rightWallShare() const;
 
   double segmentsPerScan() const;
   double raysPerSegment() const;
 
-  double offsetMedian_m() const;   //!< of |r0 - true r0|
-  double angleMedian_rad() const;  //!< of |phi0 - true phi0|
+  double offsetMedian_m() const;   //!< median of |r0 - true r0|
+  double angleMedian_rad() const;  //!< median of |phi0 - true phi0|
 
-  /** Mean of the normalised squared error of (r0, phi0): 2 where the covariances are right. */
+  /** The mean normalised squared error of (r0, phi0); 2 if the covariances are right. */
   double neesMean() const;
 
-  /** Share of the segments whose 95 % ellipse holds the true (r0, phi0). */
+  /** The share of the segments whose 95 % ellipse contains the true (r0, phi0). */
   double ellipseShare() const;
 
  private:

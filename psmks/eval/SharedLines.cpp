@@ -10,8 +10,9 @@ namespace
 {
 using Piece = SharedLines::Piece;
 
-constexpr double kGate = 4;        // standard deviations
-constexpr double kMargin_m = 0.1;  // a wall goes on so far beyond what was seen of it
+constexpr double kGate = 4;  // standard deviations by which two pieces of one wall may differ
+constexpr double kMargin_m =
+    0.1;  // length by which a wall is extended beyond the part that was seen
 
 bool isOn(const AnchoredLine& line, const AnchoredLine& other, const Eigen::Vector2d& point_m)
 {
@@ -27,7 +28,7 @@ bool isOn(const Piece& line, const Piece& piece)
          isOn(line.line, piece.line, piece.lastEnd_m);
 }
 
-/** True where the stretches of both overlap, seen along the first. */
+/** Whether the extents of both pieces along the first one overlap. */
 bool touches(const Piece& a, const Piece& b)
 {
   const double first_m = a.line.along.dot(b.firstEnd_m), last_m = a.line.along.dot(b.lastEnd_m);
@@ -54,7 +55,8 @@ void SharedLines::add(const Segment& straight, const Pose2& T_ref_scan)
   pieces_.push_back(piece);
 }
 
-// From the best known piece on, so that a wall has the number of its best one.
+// Begins with the most certain piece, so that the number of a wall is that of its most certain
+// piece.
 void SharedLines::group()
 {
   std::sort(pieces_.begin(), pieces_.end(),

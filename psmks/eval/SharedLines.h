@@ -8,35 +8,37 @@
 
 namespace psmks
 {
-/** The straight walls of two scans that lie on each other: pieces that either scan shows, and which
- * of them are the same wall.
+/** The straight walls of two scans that are laid over each other at the true pose: the pieces that
+ * each scan shows, sorted into walls.
  *
  *      reference   ----------------
- *      current              -------------     one wall: they overlap on one line
+ *      current              -------------     one wall: both pieces overlap on one line
  *                                    |
- *                                    |        another one */
+ *                                    |        another wall */
 class SharedLines
 {
  public:
   struct Piece
   {
-    AnchoredLine line;  //!< in the axes of the reference
+    AnchoredLine line;  //!< in the frame of the reference
     Eigen::Vector2d firstEnd_m, lastEnd_m;
-    double begin_m, end_m;  //!< along the line
-    std::size_t wall = 0;   //!< index of the best known piece of the same wall
+    double begin_m, end_m;  //!< coordinates along the line
+    std::size_t wall = 0;   //!< index of the most certain piece of the same wall
   };
 
-  /** @param T_ref_scan true pose of the scan that the straight belongs to */
+  /** Adds a piece.
+   *  @param T_ref_scan true pose of the scan that shows it */
   void add(const Segment& straight, const Pose2& T_ref_scan);
 
-  /** Finds out which pieces are the same wall; to be called once, after all pieces were added. */
+  /** Sorts the pieces into walls. It has to be called once, after all pieces were added. */
   void group();
 
   const std::vector<Piece>& pieces() const { return pieces_; }
 
-  /** The piece on which a ray ends, to a few standard deviations of its range, or null.
+  /** The piece on which a ray ends, within a few standard deviations of its range; null if there is
+   * none.
    *  @param direction of the ray, unit vector
-   *  @param end_m where it was measured to end */
+   *  @param end_m measured end point of the ray */
   const Piece* pieceAt(const Eigen::Vector2d& direction, const Eigen::Vector2d& end_m,
                        double rangeSigma_m) const;
 

@@ -9,18 +9,19 @@
 
 namespace psmks
 {
-/** A stamp that another program wrote counts as that of a scan up to so far away. */
+/** Largest difference between the stamp of a scan and the same stamp as another program wrote it.
+ */
 constexpr double kStampTolerance_s = 0.02;
 
-/** Finds the poses of a trajectory by their stamps, whose order does not matter: those of real logs
- *  repeat and go backwards. */
+/** Finds the poses of a trajectory by their stamps. The stamps may be in any order, for those of
+ * real logs repeat and go backwards. */
 class StampIndex
 {
  public:
   explicit StampIndex(const Trajectory& trajectory);
 
-  /** The pose whose stamp is nearest; of equally near ones that which stands first in the
-   *  trajectory. None where it is further away than the tolerance. */
+  /** The index of the pose with the nearest stamp; of equally near ones the first in the
+   * trajectory. Nothing if it is farther away than the tolerance. */
   std::optional<std::size_t> nearest(double stamp_s, double tolerance_s) const;
 
  private:
@@ -29,6 +30,6 @@ class StampIndex
     double stamp_s;
     std::size_t pose;
   };
-  std::vector<Entry> entries_;  // by stamp, equal ones in the order of the trajectory
+  std::vector<Entry> entries_;  //!< sorted by stamp; equal stamps in the order of the trajectory
 };
 }  // namespace psmks

@@ -5,17 +5,17 @@
 
 namespace psmks
 {
-/** The value below which a share p of the values lies, interpolated linearly between neighbours
- *  (0 = the smallest, 1 = the largest). NaN where there are no values.
+/** The value below which a share p of the values lies, interpolated linearly between neighbours:
+ * the smallest for 0, the largest for 1. NaN without values.
  *  @param p 0 to 1 */
 double quantile(std::vector<double> values, double p);
 
-/** quantile(values, 0.5). */
+/** The median, quantile(values, 0.5). */
 double median(std::vector<double> values);
 
-/** The arithmetic mean; NaN where there are no values. */
+/** The arithmetic mean; NaN without values. */
 double mean(const std::vector<double>& values);
 
-/** Share of the values that are at most `limit`; NaN where there are no values. */
+/** The share of the values that are at most `limit`; NaN without values. */
 double shareBelow(const std::vector<double>& values, double limit);
 }  // namespace psmks

@@ -30,8 +30,8 @@ bool hasValue(const Table::Cell& cell)
   return std::holds_alternative<std::string>(cell) || !std::isnan(std::get<double>(cell));
 }
 
-/** Without the columns that hold no value in any row. */
-Table forPeople(Table table)
+/** The table without the columns that have no value in any row. */
+Table withoutEmptyColumns(Table table)
 {
   for (std::size_t c = table.columns.size(); c-- > 0;)
   {
@@ -45,7 +45,7 @@ Table forPeople(Table table)
   return table;
 }
 
-/** Headings and rows as they are shown. */
+/** The headings and the rows as texts. */
 std::vector<std::vector<std::string>> shownLines(const Table& table)
 {
   std::vector<std::vector<std::string>> lines(1);
@@ -86,7 +86,7 @@ std::string csvRow(const std::vector<Table::Cell>& row)
 
 std::string toText(const Table& whole)
 {
-  const Table table = forPeople(whole);
+  const Table table = withoutEmptyColumns(whole);
   const auto lines = shownLines(table);
   const auto width = widths(lines);
   std::ostringstream out;
@@ -103,7 +103,7 @@ std::string toText(const Table& whole)
 
 std::string toMarkdown(const Table& whole)
 {
-  const Table table = forPeople(whole);
+  const Table table = withoutEmptyColumns(whole);
   const auto lines = shownLines(table);
   std::ostringstream out;
   for (std::size_t l = 0; l < lines.size(); ++l)
@@ -120,7 +120,7 @@ std::string toMarkdown(const Table& whole)
 
 std::string toHtml(const Table& whole)
 {
-  const Table table = forPeople(whole);
+  const Table table = withoutEmptyColumns(whole);
   const auto lines = shownLines(table);
   std::string html = "<table>\n<caption>" + htmlText(table.title) + "</caption>\n";
   for (std::size_t l = 0; l < lines.size(); ++l)

@@ -7,14 +7,15 @@
 
 namespace psmks
 {
-/** Errors of an estimated trajectory at the stamps of the truth's that it covers. */
+/** The errors of an estimated trajectory at the stamps of the truth. */
 struct TrajectoryError
 {
-  std::size_t poses = 0;  //!< that could be compared; the rest is NaN where there are none
+  std::size_t poses = 0;  //!< number of compared poses; if it is 0, the errors are NaN
   double mean_m, rms_m, max_m;
   double mean_rad, rms_rad, max_rad;
 };
 
-/** Of the poses that commonPoses() finds, laid over each other at the first of them. */
+/** The errors of the poses that commonPoses() finds, after laying both trajectories over each other
+ * at the first of them. */
 TrajectoryError trajectoryError(const Trajectory& estimate, const Trajectory& truth);
 }  // namespace psmks
