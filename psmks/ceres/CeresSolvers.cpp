@@ -31,7 +31,8 @@ T wrapped(const T& angle_rad)
   return angle_rad - 2 * kPi * floor((angle_rad + kPi) / (2 * kPi));
 }
 
-/** L' with information = L L', so that |L' e|^2 is the squared Mahalanobis distance. */
+/** The factor L' of the information L L': |L' e|^2 is then the squared Mahalanobis distance of e.
+ */
 template <int N>
 Eigen::Matrix<double, N, N> rootOf(const Eigen::Matrix<double, N, N>& information)
 {
@@ -137,7 +138,8 @@ struct PriorCost
   Eigen::Matrix3d root;
 };
 
-/** Solves to the last digit: a comparison of solvers must not show their stopping rules. */
+/** Solves until the cost stops changing in its last digits, so that a comparison of solvers does
+ * not show differences of their stopping rules. */
 bool solve(ceres::Problem& problem)
 {
   ceres::Solver::Options options;
@@ -153,7 +155,7 @@ bool solve(ceres::Problem& problem)
   return summary.IsSolutionUsable();
 }
 
-/** A loss object may serve all terms: the problem does not own it. */
+/** Options by which several terms may share a loss function: the problem does not own it. */
 ceres::Problem::Options sharedLoss()
 {
   ceres::Problem::Options options;

@@ -7,7 +7,8 @@
 
 namespace psmks
 {
-/** Ceres in place of the closed form of the translation regression and of Gauss-Newton in the joint
- *  scheme: the costs of TranslationProblem and JointProblem, to the letter. One thread, silent. */
+/** Solvers that use Ceres in place of the closed form of the translation regression and of
+ * Gauss-Newton in the joint scheme. They minimise exactly the costs of TranslationProblem and
+ * JointProblem, in one thread and without output. */
 std::shared_ptr<const ExternalSolvers> makeCeresSolvers();
 }  // namespace psmks

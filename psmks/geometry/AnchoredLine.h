@@ -5,14 +5,15 @@
 
 namespace psmks
 {
-/** A line in the form that separates its errors: at the anchor, the errors of distance and angle
- * are independent (docs/algorithm.md, residuals of two lines). */
+/** A line written so that its two errors are independent: as the point of the line at which the
+ * errors of distance and angle are uncorrelated (the anchor), and the normal there
+ * (docs/algorithm.md, residuals of two lines). */
 struct AnchoredLine
 {
   Eigen::Vector2d normal;  //!< away from the scanner
   Eigen::Vector2d along;   //!< unit vector, counter-clockwise
   Eigen::Vector2d anchor_m;
-  double distance_m = 0;  //!< of the line from the origin
+  double distance_m = 0;  //!< distance of the line from the origin
   double distanceVariance_m2 = 0, angleVariance_rad2 = 0;
 
   AnchoredLine() = default;
@@ -28,7 +29,8 @@ struct AnchoredLine
     angleVariance_rad2 = P(1, 1);
   }
 
-  /** Variance of the distance of the line at a point near it. */
+  /** Variance of the distance between the line and a point near it: the variance of the line's
+   * distance plus that of its angle times the squared way from the anchor. */
   double distanceVarianceAt_m2(const Eigen::Vector2d& p_m) const
   {
     const double along_m = along.dot(p_m - anchor_m);

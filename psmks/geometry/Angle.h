@@ -7,7 +7,7 @@ namespace psmks
 {
 constexpr double kPi = 3.14159265358979323846;
 
-/** The same angle in (-pi, pi]. */
+/** The angle in (-pi, pi] that points the same way. */
 inline double wrapAngle(double angle_rad)
 {
   if (angle_rad > -kPi && angle_rad <= kPi) return angle_rad;
@@ -17,7 +17,8 @@ inline double wrapAngle(double angle_rad)
 
 constexpr long double kDegreesPerRadian = 180 / 3.141592653589793238462643383279502884L;
 
-/** Rounded once, from long double: the very number that the text of the angle in a file becomes. */
+/** Converts degrees to radians. The product is computed in long double and rounded once, so that
+ * the result equals the number that a text of the angle in degrees, read from a file, becomes. */
 constexpr double degToRad(long double angle_deg)
 {
   return static_cast<double>(angle_deg / kDegreesPerRadian);

@@ -11,22 +11,25 @@ namespace psmks
 {
 /** The bearings of a scanner's rays: evenly spaced, counter-clockwise, in the sensor frame.
  *
- * The one place where bearings become ray indices and back. A grid is *closed* when its rays go
- * round the whole circle, so that the last ray is the neighbour of the first; otherwise it is
- * *open*. The directions are computed once and shared by copies: keep one grid per scanner. */
+ * All conversions between bearings and indices of rays are made here. A grid is *closed* if its
+ * rays go round the whole circle, so that the last ray is the neighbour of the first; otherwise it
+ * is *open*. The directions of the rays are computed once and shared by copies of the grid, so a
+ * program needs one grid for each scanner. */
 class BeamGrid
 {
  public:
-  /** An empty grid: no rays. */
+  /** Makes an empty grid, which has no rays. */
   BeamGrid();
 
-  /** @param increment_rad > 0
-   *  @param count >= 0; count * increment_rad may exceed the circle by half an increment at most
-   *  @throws std::invalid_argument naming the value that breaks these rules */
+  /** Makes a grid of `count` rays from the first bearing on.
+   *  @param increment_rad angle between neighbouring rays, > 0
+   *  @param count >= 0; count * increment_rad exceeds the circle by at most half an increment
+   *  @throws std::invalid_argument if an argument breaks these rules; the text names its value */
   BeamGrid(double firstBearing_rad, double increment_rad, int count);
 
-  /** `count` rays from -fieldOfView/2 to +fieldOfView/2, both ends included; the rays of a full
-   *  circle are count distinct bearings starting at -pi. */
+  /** Makes a grid of `count` rays from -fieldOfView/2 to +fieldOfView/2, both ends included. If the
+   * field of view is the full circle, both ends are the same direction: the rays then have `count`
+   * distinct bearings from -pi on. */
   static BeamGrid centered(double fieldOfView_rad, int count);
 
   int count() const { return count_; }
@@ -35,7 +38,7 @@ class BeamGrid
   double fieldOfView_rad() const;
   bool closed() const { return closed_; }
 
-  /** Bearing of ray i, not wrapped. */
+  /** Bearing of ray i. It is not wrapped to (-pi, pi]. */
   double bearing_rad(int i) const { return first_rad_ + increment_rad_ * i; }
 
   /** Unit vector along ray i. */
@@ -43,13 +46,13 @@ class BeamGrid
   const double* cosines() const { return directions_->cosine.data(); }
   const double* sines() const { return directions_->sine.data(); }
 
-  /** Fractional index of a bearing: ray i has index i. An open grid answers in
-   *  [(count-1)/2 - pi/increment, (count-1)/2 + pi/increment), so that bearings outside the field
-   * of view fall below 0 or above count-1; a closed grid answers in [-0.5, count-0.5). */
+  /** The index at a bearing as a fraction: at the bearing of ray i it is i. On an open grid it lies
+   * in [(count-1)/2 - pi/increment, (count-1)/2 + pi/increment), so that bearings outside the field
+   * of view are below 0 or above count-1. On a closed grid it lies in [-0.5, count-0.5). */
   double index(double bearing_rad) const;
 
-  /** Neighbour of ray i, `step` rays on: wraps on a closed grid; -1 beyond the ends of an open one.
-   */
+  /** The index of the ray `step` rays after ray i, or -1 if an open grid has no such ray. A closed
+   * grid always has one. */
   int neighbour(int i, int step) const;
 
   bool operator==(const BeamGrid& other) const;

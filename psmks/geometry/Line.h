@@ -23,23 +23,27 @@ struct Line
 
   Eigen::Vector2d normal() const { return {std::cos(phi0_rad), std::sin(phi0_rad)}; }
 
-  /** Signed distance of a point: positive beyond the line, seen from the origin. */
+  /** The signed distance of a point from the line: positive if the point lies on the other side of
+   * the line than the origin. */
   double distance_m(const Eigen::Vector2d& p) const { return normal().dot(p) - r0_m; }
 
-  /** Range at which a ray meets the line; +infinity where the ray does not (it runs along the line
-   * or away from it). */
+  /** The range at which a ray meets the line, or +infinity if it does not: the ray then runs along
+   * the line or away from it. */
   double rangeAt_m(double bearing_rad) const;
 
-  /** Variance of distance_m() of a point on the line that lies `along_m` metres from the foot, on
-   * the counter-clockwise side: the error of the line there is along * d(phi0) - d(r0). */
+  /** Variance of distance_m() of a point on the line. The error of the line there is along_m *
+   * d(phi0) - d(r0).
+   *  @param along_m of the point from the foot, positive on the counter-clockwise side */
   double distanceVariance_m2(double along_m) const;
 
-  /** The same line seen from another frame, with its covariance (algorithm.md, C1).
-   *  @param T_to_from maps points of the line's present frame into the wanted one
-   *  @param flipped set to true when the line is then seen from its other side (may be null) */
+  /** The same line seen from another frame, with its covariance (docs/algorithm.md, C1).
+   *  @param T_to_from maps points of the present frame of the line into the new frame
+   *  @param flipped if not null, set to whether the new frame sees the line from its other side */
   Line transformed(const Pose2& T_to_from, bool* flipped = nullptr) const;
 
-  /** The line through n.p = r0 where r0 may be negative: folded to r0 >= 0. */
+  /** The line of the points p with n.p = r0, where r0 may be negative. A negative r0 is made
+   * positive by turning the normal n round.
+   *  @param flipped if not null, set to whether the normal was turned round */
   static Line fromNormalForm(double signedR0_m, double phi0_rad, const Eigen::Matrix2d& covariance,
                              bool* flipped = nullptr);
 };

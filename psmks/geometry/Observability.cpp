@@ -13,19 +13,22 @@ double sigmaOf(double information)
   return information > 0 ? 1 / std::sqrt(information) : std::numeric_limits<double>::infinity();
 }
 
-/** Smaller eigenvalue of a symmetric 2x2 matrix and its unit eigenvector. */
+/** The smaller eigenvalue of a symmetric 2x2 matrix.
+ *  @param[out] direction its unit eigenvector */
 double smallerEigenvalue(const Eigen::Matrix2d& S, Eigen::Vector2d& direction)
 {
   const double mean = 0.5 * (S(0, 0) + S(1, 1)), difference = 0.5 * (S(0, 0) - S(1, 1));
   const double radius = std::hypot(difference, S(0, 1));
-  // The larger eigenvector lies at half the angle of (difference, off-diagonal).
+  // The eigenvector of the larger eigenvalue lies at half the angle of (difference of the diagonal,
+  // off-diagonal).
   const double larger_rad = 0.5 * std::atan2(S(0, 1), difference);
   direction = {-std::sin(larger_rad), std::cos(larger_rad)};
   return mean - radius;
 }
 
-/** coupling' position^-1 coupling; a direction in which the position is not fixed at all - along a
- * single wall - explains nothing of the heading, whatever rounding has left there. */
+/** The information of the heading that estimating the position takes away: coupling' position^-1
+ * coupling. A direction in which the position is not constrained at all, such as that along a
+ * single wall, takes nothing away; what rounding has left there is ignored. */
 double explainedByPosition(const Eigen::Matrix2d& position, const Eigen::Vector2d& coupling)
 {
   constexpr double kRounding = 1e-9;

@@ -5,16 +5,21 @@
 
 namespace psmks
 {
-/** What an information matrix of (x, y, phi) fixes. */
+/** How well an information matrix of (x, y, phi) constrains the position and the heading. */
 struct Observability
 {
   Eigen::Vector2d weakDirection =
-      Eigen::Vector2d::UnitX();  //!< in which the position is known worst
-  double weakSigma_m = 0;  //!< its standard deviation there, heading estimated too; may be infinite
-  double headingSigma_rad = 0;  //!< of the heading, position estimated too; may be infinite
+      Eigen::Vector2d::UnitX();  //!< unit vector along which the position is least certain
+  double weakSigma_m =
+      0;  //!< standard deviation along it if the heading is estimated too; may be infinite
+  double headingSigma_rad =
+      0;  //!< standard deviation of the heading if the position is estimated too; may be infinite
 };
 
-/** From the smaller eigenvalue of the Schur complement of the heading, and the Schur complement of
- * the position (docs/algorithm.md, degeneracy). */
+/** Finds the weak direction and its standard deviation from the smaller eigenvalue of the Schur
+ * complement of the heading, and the standard deviation of the heading from the Schur complement of
+ * the position (docs/algorithm.md, degeneracy).
+ *  @param information symmetric and positive semi-definite, of (x, y, phi) in 1/m^2, 1/(m rad),
+ *      1/rad^2 */
 Observability observability(const Eigen::Matrix3d& information);
 }  // namespace psmks

@@ -8,15 +8,15 @@
 
 namespace psmks
 {
-/** A planar pose, or the rigid motion it stands for.
+/** A planar pose and, at the same time, a rigid motion of the plane.
  *
- * A variable `T_a_b` maps points of frame b into frame a: `p_a = T_a_b * p_b`,
- * and is at the same time the pose of b seen from a. */
+ * A variable `T_a_b` is the pose of frame b seen from frame a. It maps points of frame b into frame
+ * a: `p_a = T_a_b * p_b`. */
 struct Pose2
 {
   double x_m = 0;
   double y_m = 0;
-  double phi_rad = 0;  //!< in (-pi, pi] after every operation below
+  double phi_rad = 0;  //!< every operation below leaves it in (-pi, pi]
 
   Eigen::Vector2d translation() const { return {x_m, y_m}; }
 
@@ -26,7 +26,7 @@ struct Pose2
     return (Eigen::Matrix2d() << c, -s, s, c).finished();
   }
 
-  /** d rotation() / d phi. */
+  /** The derivative of rotation() by phi. */
   Eigen::Matrix2d rotationDerivative() const
   {
     const double c = std::cos(phi_rad), s = std::sin(phi_rad);

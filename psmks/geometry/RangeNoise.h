@@ -5,17 +5,18 @@
 
 namespace psmks
 {
-/** How uncertain a range is: a part that all ranges share and a part in proportion to the range,
- * independent of each other,
+/** The standard deviation of a range as a function of the range. Two independent parts add up, a
+ * constant one and one in proportion to the range r:
  *
  *     sigma(r)^2 = sigma_m^2 + (sigmaPerMetre_m r)^2.
  *
- * The first is what time of flight scanners have, the second that of phase shift; triangulation
- * comes near to it within its range. */
+ * Time-of-flight scanners have mostly the first part, phase-shift scanners the second. The model
+ * approximates triangulation scanners within their specified range. */
 struct RangeNoise
 {
-  double sigma_m = 0;          //!< standard deviation of a short range; 0 = unknown
-  double sigmaPerMetre_m = 0;  //!< 0 = all ranges alike
+  double sigma_m = 0;  //!< standard deviation at range 0; 0 = unknown
+  double sigmaPerMetre_m =
+      0;  //!< growth of the standard deviation; 0 = the noise is the same at all ranges
 
   bool grows() const { return sigmaPerMetre_m > 0; }
 
@@ -26,7 +27,8 @@ struct RangeNoise
   }
   double sigmaAt_m(double range_m) const { return std::sqrt(varianceAt_m2(range_m)); }
 
-  /** Of a variance, which is sigma_m^2 (1 + growth r^2). Both sigmas > 0 or no growth. */
+  /** The factor g of r^2 in the variance, written as sigma_m^2 (1 + g r^2). It needs sigma_m > 0
+   * unless the noise does not grow. */
   double growth_1_m2() const
   {
     if (!grows()) return 0;
@@ -34,10 +36,11 @@ struct RangeNoise
     return ratio_1_m * ratio_1_m;
   }
 
-  /** Of a range in a sum of squares that is kept for short ranges. */
+  /** The weight of a range in a sum of squares that is divided by sigma_m^2 as a whole: the
+   * variance at range 0 over the variance at this range. */
   double weightAt(double range_m) const { return sigma_m * sigma_m / varianceAt_m2(range_m); }
 
-  /** The same growth, with the standard deviation of a short range as it is given. */
+  /** The noise with another standard deviation at range 0 and the same ratio of the two parts. */
   RangeNoise scaledTo(double newSigma_m) const
   {
     return {newSigma_m, sigmaPerMetre_m * newSigma_m / sigma_m};

@@ -31,8 +31,8 @@ UncertainPose seenFrom(const UncertainPose& T_a_b, const UncertainPose& T_a_c)
 UncertainPose conjugated(const UncertainPose& T_ref_cur, const Pose2& T_newRef_ref,
                          const Pose2& T_newCur_cur)
 {
-  // t' = R_A (R(phi) b + t) + t_A with A = T_newRef_ref and b the origin of newCur seen from cur:
-  // a turn of the current sensor swings the robot about it.
+  // With A = T_newRef_ref and b the origin of newCur seen from cur, the new translation is t' = R_A
+  // (R(phi) b + t) + t_A: an error of the heading of cur also displaces newCur, by the lever arm b.
   const Pose2 T_cur_newCur = T_newCur_cur.inverse();
   const Eigen::Matrix2d R_A = T_newRef_ref.rotation();
   Eigen::Matrix3d J = Eigen::Matrix3d::Identity();

@@ -8,7 +8,8 @@ namespace psmks
 {
 namespace
 {
-/** No scanner's rays are more certain than this; keeps the weights of an exact scan finite. */
+/** The least standard deviation that is assumed of a segment. It keeps the weights finite if a scan
+ * is exact, and is below the noise of every scanner. */
 constexpr double kLeastSigma_m = 1e-3;
 
 double leastVariance_m2(const SegmentedScan& scan)

@@ -7,30 +7,33 @@
 
 namespace psmks
 {
-/** How far a segment can be relied on: many points, close to a straight line. */
+/** How much the residuals of a segment are worth. The more points a segment has and the closer they
+ * lie to the line, the more its residuals count. */
 struct Reliability
 {
-  double points = 0;       //!< n
-  double variance_m2 = 1;  //!< s^2, of one range residual: no less than the scanner's
+  double points = 0;       //!< n, the number of points
+  double variance_m2 = 1;  //!< s^2, the variance of a range residual, at least that of the scanner
 
-  /** Of one squared residual: proportional to the points, inverse to the variance. */
+  /** The weight of a squared residual: in proportion to the points, in inverse proportion to the
+   * variance. */
   double weight() const { return points / variance_m2; }
 };
 
-/** Reliabilities of all pairs of segments of two scans.
+/** The reliabilities of all pairs of segments of two scans.
  *
- * Differs from the paper: it takes a segment's standard deviation as estimated. That of six rays
- * may come out at a third of the truth by chance, and the segment would then outweigh a long wall.
- */
+ * Differs from the paper: the standard deviation of a segment is at least that of the scanner,
+ * where the paper takes it as estimated from the points. The estimate from six points may be a
+ * third of the truth by chance, and such a segment would outweigh a long wall. */
 class SegmentReliability
 {
  public:
   void assign(const SegmentedScan& current, const SegmentedScan& reference);
 
-  /** Of two segments as certain as the scanners allow: s_cur^2 + s_ref^2. */
+  /** The sum s_cur^2 + s_ref^2 for two segments as certain as the scanners allow. */
   double leastVariance_m2() const { return leastVariance_m2_; }
 
-  /** Of a pair: the points of both, the variances of both. */
+  /** The reliability of a pair of segments: the sum of their points and the sum of their variances.
+   */
   const Reliability& ofPair(int currentSegment, int referenceSegment) const
   {
     return pairs_[static_cast<std::size_t>(currentSegment) * referenceSegments_ +
@@ -48,15 +51,16 @@ class SegmentReliability
  *
  *      f = sum n_i min(e_i, g)^2 / s_i^2  /  sum n_i
  *
- *  with n = n_cur + n_ref, s^2 = s_cur^2 + s_ref^2 and g = radiusGate_m. f has no unit; at the true
- *  pose it is about 1 or less. It says nothing about rays that lost their associate, so it compares
- *  poses of about as many associated rays and no others: see PoseObjective::isBetter().
+ *  with n = n_cur + n_ref, s^2 = s_cur^2 + s_ref^2 and g = radiusGate_m. f has no unit and is about
+ * 1 or less at the true pose. Rays without an association do not contribute, so only poses with
+ *  similar numbers of associations can be compared by f, see PoseObjective::isBetter().
  *
- *  @return where nothing is associated the worst there is: g^2 / s^2 of the scanners */
+ *  @return the error as defined; without associations its upper bound g^2 / s^2, s of the scanners
+ */
 double matchingError(const Associations& associations, const SegmentReliability& reliability,
                      const PaperOptions& options);
 
-/** Root of the mean squared residual of the associated rays, weighted by the points of their
- *  segments. 0 where nothing is associated. */
+/** The root of the weighted mean of the squared residuals of the associated rays, where a ray
+ * counts as many times as its segments have points; 0 without associations. */
 double rmsResidual_m(const Associations& associations, const SegmentReliability& reliability);
 }  // namespace psmks

@@ -8,7 +8,7 @@ namespace psmks
 {
 namespace
 {
-/** Steps of a size within a range, robust to the rounding of range / step. */
+/** The number of whole steps in a range. It tolerates the rounding error of range / step. */
 int stepsWithin(double range_rad, double step_rad)
 {
   return static_cast<int>(std::floor(range_rad / step_rad + 1e-6));
@@ -31,7 +31,8 @@ void tryAbout(PoseObjective& objective, const Pose2& start, double range_rad, do
   }
 }
 
-/** The smallest error among the orientations that associate nearly as many rays as any. */
+/** Finds the smallest error among the orientations with enough associations, see
+ * searchOrientation(). */
 OrientationMinimum minimumOf(const Trials& trials, const PaperOptions& options)
 {
   int most = 0;

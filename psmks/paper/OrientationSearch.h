@@ -6,19 +6,20 @@
 
 namespace psmks
 {
-/** Where the orientation search ended. */
+/** The result of an orientation search. */
 struct OrientationMinimum
 {
-  bool found = false;  //!< some orientation had enough associated rays
-  double phi_rad = 0;  //!< the start where none had
+  bool found = false;  //!< whether some orientation has enough associated rays
+  double phi_rad = 0;  //!< the orientation found, or the start if none was found
   PoseObjective::Value value;
 };
 
-/** Orientation by brute force at a fixed translation (paper, section 2.3): the smallest matching
- *  error over start +- coarseRange_rad, then over the minimum +- fineRange_rad. Orientations that
- *  associate fewer rays than minAssociations, or than minAssociationShare of the most that one of
- *  the stage associates, do not count.
- *  @param trace gets one curve per stage where not null */
+/** Finds the orientation with the smallest matching error at a fixed translation by trying all of
+ * them (paper, section 2.3): a coarse stage over start +- coarseRange_rad, then a fine stage over
+ * the minimum of the first +- fineRange_rad. Orientations do not count if they have fewer
+ * associations than minAssociations, or fewer than minAssociationShare times the largest number of
+ * associations in the stage.
+ *  @param trace if not null, gets the error curve of each stage */
 OrientationMinimum searchOrientation(PoseObjective& objective, const Pose2& start,
                                      MatchTrace* trace);
 }  // namespace psmks

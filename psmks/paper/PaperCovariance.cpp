@@ -8,8 +8,8 @@ namespace psmks
 {
 namespace
 {
-/** Derivative by (x, y, phi) of the current line's (r0, phi0) seen from the reference:
- *  r0' = r0 + x cos phi0' + y sin phi0', phi0' = phi0 + phi. */
+/** The derivative by (x, y, phi) of the current line's (r0, phi0) as seen from the reference: r0' =
+ * r0 + x cos phi0' + y sin phi0', phi0' = phi0 + phi. */
 Eigen::Matrix<double, 2, 3> lineByPose(const Line& seenFromReference, const Pose2& T_ref_cur)
 {
   const Eigen::Vector2d n = seenFromReference.normal();
@@ -50,7 +50,8 @@ void PaperCovariance::addRay(const PoseObjective& objective, const Association& 
   full << residualSlope(TranslationJacobian::Full, point.normalized(), normal),
       -normal.dot(pointByPhi) / a.incidenceCosine;
   used << residualSlope(objective.options().jacobian, point.normalized(), normal), full[2];
-  // The residual is -(dr0 - along dphi0) / cos of the lines' difference, current minus reference.
+  // The residual changes by -(dr0 - along dphi0) / cos(incidence), where dr0 and dphi0 are the
+  // differences of the current line minus those of the reference line.
   const Eigen::RowVector2d byLine(-1 / a.incidenceCosine, tangent.dot(point) / a.incidenceCosine);
 
   const double weight =
@@ -82,7 +83,8 @@ Eigen::Matrix3d PaperCovariance::of(
   const Eigen::Matrix3d ofLines =
       known * Small(inverse * noise * inverse.transpose()) * known.transpose();
 
-  // A heading rounded by d shifts the position that the regression then finds; d is uniform.
+  // The fine search rounds the heading to its step, so its rounding error is uniform over one step.
+  // It also shifts the position that the regression finds at this heading.
   const Eigen::Index places = known.cols() - 1;
   const Small position = slopes.topLeftCorner(places, places);
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> shift(places + 1);

@@ -45,7 +45,8 @@ class PaperMatch
     return {T_ref_cur, buffers_.objective.evaluate(T_ref_cur, T_ref_cur.phi_rad)};
   }
 
-  /** Orientation and translation in turn; leaves the estimate at the best pose. */
+  /** Alternates orientation search and translation regression, and leaves the estimate at the best
+   * pose. */
   MatchStatus alternate(Estimate& estimate)
   {
     while (result_.iterations < options_.maxIterations)
@@ -64,7 +65,8 @@ class PaperMatch
     return MatchStatus::MaxIterations;
   }
 
-  /** Orientation search. @return false where no orientation associates enough rays */
+  /** Turns the estimate to the orientation with the smallest error.
+   *  @return false if no orientation has enough associations */
   bool turn(Estimate& estimate)
   {
     Stopwatch watch;
@@ -77,7 +79,8 @@ class PaperMatch
     return minimum.found;
   }
 
-  /** Translation regression: the best along the step, or no step where all of it is worse. */
+  /** Moves the estimate to the best of the steps tried along the direction of the regression. If
+   * all of them are worse than no step, it stays. */
   void shift(Estimate& estimate)
   {
     Stopwatch watch;
@@ -122,8 +125,8 @@ class PaperMatch
 
   // ---- conclusion -----------------------------------------------------------------------------
 
-  /** True where the residuals of the last evaluation are too big. */
-  bool isTooBad() const
+  /** Whether the residuals of the last evaluation are too large for a match. */
+  bool hasLargeResiduals() const
   {
     const PoseObjective& objective = buffers_.objective;
     return options_.maxResidual_m > 0 &&
@@ -131,12 +134,13 @@ class PaperMatch
                options_.maxResidual_m;
   }
 
-  /** Accepts the estimate unless its residuals are too big; covariance and observability. */
+  /** Refuses the estimate if its residuals are too large. Otherwise writes its covariance and its
+   * unobservable direction to the result. */
   void conclude(const Estimate& estimate)
   {
     Stopwatch watch;
     const Estimate final = evaluated(estimate.T_ref_cur);
-    if (isTooBad())
+    if (hasLargeResiduals())
     {
       result_.status = MatchStatus::NoImprovement;
       return;
@@ -155,14 +159,16 @@ class PaperMatch
     const Eigen::Matrix3d guessed = result_.covariance;
     result_.headingUnobservable = o.headingSigma_rad > options_.weakHeadingSigma_rad;
     if (o.weakSigma_m > options_.weakDirectionSigma_m)
-      settleWeakDirection(o.weakDirection, guessed);
+      keepGuessAlong(o.weakDirection, guessed);
     else
       result_.covariance = buffers_.covariance.of(Eigen::Matrix3d::Identity());
     if (!result_.covariance.allFinite()) result_.covariance = guessed;
   }
 
-  /** Along what the scans do not fix, the guess stands. */
-  void settleWeakDirection(const Eigen::Vector2d& weak, const Eigen::Matrix3d& guessed)
+  /** Replaces the position along the direction that the scans do not constrain by that of the
+   * guess.
+   */
+  void keepGuessAlong(const Eigen::Vector2d& weak, const Eigen::Matrix3d& guessed)
   {
     result_.status = MatchStatus::Degenerate;
     result_.unobservableDirection = weak;

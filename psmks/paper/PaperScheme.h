@@ -13,27 +13,28 @@
 
 namespace psmks
 {
-/** The buffers of a match by the paper's scheme, kept from one to the next. */
+/** Buffers of matches by the paper's scheme. Matches that share them allocate less. */
 struct PaperBuffers
 {
   PoseObjective objective;
   TranslationProblem translation;
   PaperCovariance covariance;
-  ScanFeatures reference, current;  //!< for the free-space score
+  ScanFeatures reference, current;  //!< input of the free-space score
 };
 
 /** Matches two scans by the scheme of the paper (section 2.3):
  *
  *  1. Orientation search at the present translation.
- *  2. Translation regression at the new orientation. The best of the step, half of it, a quarter
- * ... is taken, or none if each of them leaves the pose worse than the orientation search did.
- *  3. The update is accepted only if the pose is better than before (PoseObjective::isBetter()); if
- *     it is not, the search ends.
- *  4. Again from 1, until the steps are small or the iterations run out.
+ *  2. Translation regression at the new orientation. The full step, half of it, a quarter and so on
+ *     are tried, and the best is taken. If all of them are worse than no step, none is taken.
+ *  3. If the pose is not better than before (PoseObjective::isBetter()), it is kept as it was, and
+ *     the search ends.
+ *  4. These steps are repeated until the changes are small or the iterations run out.
  *
- * Differs from the paper: that speaks of the error after both steps alone. What the orientation
- * search gains, often a hundredfold, then pays for a translation step that raises the error again,
- * and the Jacobian asks for steps up to twice too long. So each step has to pay for itself.
+ * Differs from the paper: it compares the error after both steps only. The orientation search often
+ * lowers the error by a factor of a hundred, which would hide that the following translation step
+ * raises it, and the paper's Jacobian gives steps up to twice too long. Here each of the two steps
+ * has to lower the error by itself.
  *
  * Bad data never throws, see MatchStatus.
  *

@@ -8,46 +8,47 @@
 
 namespace psmks
 {
-/** The objective function f of the paper (section 2.3): a pose in, a matching error out. Each
- *  evaluation projects, prunes and associates anew. Refers to the scans and the options. */
+/** The objective function f of the paper (section 2.3), which gives the matching error of a pose.
+ * Each evaluation projects the current scan, marks what cannot be seen and associates anew. It
+ * refers to the scans and the options, which must outlive it. */
 class PoseObjective
 {
  public:
-  /** Begins with a pair of scans; allocates nothing once it has served scans of these sizes. */
+  /** Begins with a pair of scans. Nothing is allocated if earlier scans had these sizes. */
   void assign(const SegmentedScan& reference, const SegmentedScan& current,
               const PaperOptions& options);
 
   struct Value
   {
     double error = 0;      //!< see matchingError()
-    int associations = 0;  //!< rays
-    int refused = 0;       //!< rays
+    int associations = 0;  //!< number of associated rays
+    int refused = 0;       //!< see Associations::refused
   };
 
   /** @param gateOrientation_rad heading of the current scan at which the angle gate is tested */
   Value evaluate(const Pose2& T_ref_cur, double gateOrientation_rad);
 
-  /** True where a pose is better than another: it associates minAssociations rays and its matching
-   *  error is smaller. Where one of the two associates less than minAssociationShare of the other's
-   *  rays, the other is better, whatever the errors.
+  /** Whether a pose is better than another one: it has at least minAssociations associations, and
+   * its matching error is smaller. If one of the two has fewer than minAssociationShare times the
+   * associations of the other, the other is better, whatever the errors.
    *
-   *  Differs from the paper: that leaves open how errors over different numbers of rays compare.
-   * The mean falls whenever a badly fitting pair is lost, and the pose with the least overlap would
-   *  win. A charge on lost rays makes the error jump with every short segment that crosses a gate.
-   */
+   * Differs from the paper: it does not say how to compare errors over different numbers of rays.
+   * The mean error falls whenever a pair that fits badly is lost, so the pose with the least
+   * overlap would win. Adding a penalty for lost rays was tried; it makes the error jump whenever a
+   * short segment crosses a gate. */
   bool isBetter(const Value& value, const Value& other) const;
 
-  /** An orientation that a search tried. */
+  /** An orientation that the search tried, and its value. */
   struct Trial
   {
     double phi_rad;
     Value value;
   };
 
-  /** The buffer of the orientation search. */
+  /** The buffer of the orientation search, kept here so that it is allocated once. */
   std::vector<Trial>& trials() { return trials_; }
 
-  /** Of the last evaluation. */
+  /** The projection of the last evaluation. */
   const Projection& projection() const { return projection_; }
   const Associations& associations() const { return associations_; }
 

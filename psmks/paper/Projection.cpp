@@ -9,15 +9,15 @@ namespace psmks
 {
 namespace
 {
-/** Single neighbours whose ranges differ by less lie on one surface (original PSM, segmentation).
- */
+/** Neighbouring points that belong to no segment lie on one surface if their ranges differ by less
+ * (value of the segmentation of the original PSM). */
 constexpr double kSurfaceStep_m = 0.20;
 
-/** A surface must be nearer by this much to hide a point: the lines of two segments that meet in a
- *  corner cross by a few centimetres. */
+/** A surface hides a point only if it is nearer by this much. Without the margin the lines of two
+ * segments that meet in a corner, which cross by a few centimetres, would hide each other. */
 constexpr double kHidingMargin_m = 0.10;
 
-/** Keeps 1 / range finite where the reference viewpoint stands on a point. */
+/** Keeps 1 / range finite if the reference viewpoint coincides with a point. */
 constexpr double kLeastRange_m = 1e-3;
 
 double denoisedRange_m(const SegmentedScan& scan, int ray)
@@ -60,29 +60,31 @@ void transformLines(const SegmentedScan& current, const Pose2& T, Projection& re
   }
 }
 
-/** The index finds neighbouring rays and nothing else; range values come from the lines, exactly.
- */
+/** The fractional index of a point's bearing on the reference grid. The index is only used to find
+ * the neighbouring rays; the range is computed from the line equation at the exact bearing. */
 double indexOf(std::size_t i, const BeamGrid& grid, const Projection& p)
 {
   const auto x = static_cast<float>(p.x_m[i]), y = static_cast<float>(p.y_m[i]);
   return grid.index(static_cast<double>(fastBearing_rad(y, x)));
 }
 
-/** A ray stands for half an increment on either side. */
+/** Whether an index lies outside the field of view, which reaches half an increment beyond the
+ * outer rays. */
 bool isOutside(double index, const BeamGrid& grid)
 {
   return !grid.closed() && (index < -0.5 || index > grid.count() - 0.5);
 }
 
-/** Steps of the bearing from one point to another, in reference rays, the short way round. */
+/** The bearing from one point to another in steps of the reference rays, the short way round. */
 double advance(const Projection& p, std::size_t before, std::size_t i, double circle)
 {
   const double step = p.index[i] - p.index[before];
   return step > circle / 2 ? step - circle : (step < -circle / 2 ? step + circle : step);
 }
 
-/** Draws the surface between two points on the buffer. Along a straight wall 1 / range is a cosine
- * of the bearing, so that it may be interpolated linearly between neighbouring rays. */
+/** Draws the surface between two points on the buffer of nearest surfaces. Along a straight wall 1
+ * / range is a cosine of the bearing, so that linear interpolation between neighbouring rays is
+ * accurate. */
 void drawSurface(std::size_t before, std::size_t i, double step, int surface, const BeamGrid& grid,
                  Projection& p)
 {
@@ -101,7 +103,8 @@ void drawSurface(std::size_t before, std::size_t i, double step, int surface, co
   }
 }
 
-/** Draws every surface, and marks the single points of those that turn their back. */
+/** Draws all surfaces on the buffer, and marks points that belong to no segment and are seen from
+ * behind. */
 void drawSurfaces(const DenoisedRays& rays, const BeamGrid& grid, Projection& p)
 {
   const double circle = 2 * kPi / grid.increment_rad();
@@ -116,8 +119,8 @@ void drawSurfaces(const DenoisedRays& rays, const BeamGrid& grid, Projection& p)
   }
 }
 
-/** True where one surface is nearer at the reference rays on both sides of the point's bearing. Two
- *  surfaces that meet in a corner between both rays do not hide it. */
+/** Whether one surface is nearer than the point at both of the reference rays beside its bearing.
+ * Two different surfaces, as in a corner between the two rays, do not hide the point. */
 bool isHidden(const Projection& p, std::size_t i, const BeamGrid& grid)
 {
   if (p.range_m[i] <= kHidingMargin_m) return false;
@@ -189,7 +192,8 @@ void DenoisedRays::joinSurfaces(const SegmentedScan& scan)
     surface.push_back(count);
     before = i;
   }
-  // On a closed scan the first rays may continue the surface of the last ones.
+  // On a closed scan the first rays may continue the surface of the last ones: both then get one
+  // number.
   if (continuesSurface.front()) std::replace(surface.begin(), surface.end(), count, 0);
 }
 

@@ -8,19 +8,20 @@
 
 namespace psmks
 {
-/** The valid rays of a scan as points in its own frame: on the line of their segment where they
- * have one (de-noised), as measured where they are single. All vectors run over the valid rays. */
+/** The valid rays of a scan as points in its own frame. A ray that belongs to a segment ends on the
+ * line of the segment (de-noised), any other where it was measured. All vectors have an entry for
+ * each valid ray. */
 struct DenoisedRays
 {
   std::vector<int> ray;
-  std::vector<int> segment;  //!< or SegmentedScan::kNoSegment
+  std::vector<int> segment;  //!< index of the segment, or SegmentedScan::kNoSegment
   std::vector<double> x_m, y_m;
 
-  /** 1 where this point and the one before it lie on one surface, so that what is between them
-   * hides what is behind: the same segment, or two single neighbours of nearly the same range. The
-   * point before the first is the last on a closed scan. */
+  /** 1 if the point and the one before it lie on one surface, which then hides what is behind it:
+   * they belong to the same segment, or are neighbours outside segments with nearly the same range.
+   * On a closed scan the point before the first one is the last one. */
   std::vector<std::uint8_t> continuesSurface;
-  std::vector<int> surface;  //!< the same number for points on one surface
+  std::vector<int> surface;  //!< number of its surface; equal for all points on one surface
 
   std::size_t size() const { return ray.size(); }
   void assign(const SegmentedScan& scan);
@@ -29,32 +30,32 @@ struct DenoisedRays
   void joinSurfaces(const SegmentedScan& scan);
 };
 
-/** What the reference viewpoint sees of a current ray's end point. */
+/** How the reference viewpoint sees the end point of a current ray. */
 enum class RayMark : std::uint8_t
 {
   Visible,
-  SeenFromBehind,  //!< its surface turns its back: successive bearings do not advance
+  SeenFromBehind,  //!< successive bearings of its surface do not increase
   Hidden,          //!< a nearer surface covers its bearing
   OutsideView,     //!< its bearing is outside the field of view
-  BeyondRange      //!< at or beyond the reference's maximum range
+  BeyondRange      //!< at or beyond the maximum range of the reference scan
 };
 
-/** The current scan as the reference viewpoint would see it from a supposed pose. The per-ray
- * vectors run over the DenoisedRays. */
+/** The current scan as seen from the reference viewpoint if the current one is at a given pose. The
+ * vectors of rays have an entry for each of the DenoisedRays. */
 struct Projection
 {
-  std::vector<double> x_m, y_m;  //!< reference frame
+  std::vector<double> x_m, y_m;  //!< in the reference frame
   std::vector<double> range_m;
   std::vector<double> index;  //!< fractional ray index of the bearing on the reference grid
   std::vector<RayMark> mark;
 
-  std::vector<Line> lines;               //!< of the current segments, reference frame
-  std::vector<std::uint8_t> lineTurned;  //!< 1 where a segment is seen from its other side
+  std::vector<Line> lines;               //!< of the current segments, in the reference frame
+  std::vector<std::uint8_t> lineTurned;  //!< 1 if the segment is seen from its other side
 
-  /** The nearest of the projected surfaces at a reference ray. */
+  /** The nearest of the projected surfaces along a reference ray. */
   struct Nearest
   {
-    double nearness_1pm = 0;  //!< 1 / range, 0 where there is none
+    double nearness_1pm = 0;  //!< 1 / range; 0 if there is no surface
     int surface = -1;
   };
   std::vector<Nearest> nearest;  //!< one per reference ray
@@ -63,16 +64,17 @@ struct Projection
 /** Projects the current scan to the reference viewpoint (paper, section 2.1; original PSM, step 2)
  *  and marks what cannot be seen from there.
  *
- * Occlusions come from two rules. A surface seen from behind shows itself by bearings that run
- * backwards (Fig. 1a); of a segment that is known from its line alone, so that no previous point is
- * needed (Fig. 1b). A point behind a nearer surface is found on a buffer of the nearest surface per
- * reference ray, on which every surface is drawn, whichever side it shows.
+ * Two rules find what is occluded. First, a surface is seen from behind if the bearings along it
+ * decrease (Fig. 1a); the line of a segment shows this without a previous point (Fig. 1b). Second,
+ * a point is hidden if a nearer surface lies at its bearing. All surfaces, whichever side they
+ * show, are drawn on a buffer that holds the nearest surface along each reference ray.
  *
- * Differs from the paper: that drops every ray whose bearing lies behind that of any previous ray.
- * Where the bearing falls back from a far object to a nearer one, it is the far one that is hidden.
+ * Differs from the paper: it drops each ray whose bearing is smaller than that of any previous ray.
+ * If the bearing falls back from a far object to a nearer one, this drops the nearer object, though
+ * it is the far one that is hidden.
  *
  * @param rays of the current scan
- * @param[out] result overwritten; allocates nothing once it has served scans of these sizes */
+ * @param[out] result overwritten; nothing is allocated if earlier scans had these sizes */
 void projectScan(const DenoisedRays& rays, const SegmentedScan& current, const Pose2& T_ref_cur,
                  const SegmentedScan& reference, Projection& result);
 }  // namespace psmks

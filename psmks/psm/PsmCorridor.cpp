@@ -12,7 +12,7 @@ namespace
 {
 using Directions = std::vector<double>;
 
-/** The same direction in [0, pi). */
+/** The direction of the same undirected line in [0, pi). */
 double folded(double direction_rad)
 {
   const double rest_rad = std::fmod(direction_rad, kPi);
@@ -39,7 +39,8 @@ double median(double a, double b, double c)
   return std::max(std::min(a, b), std::min(std::max(a, b), c));
 }
 
-/** Standard deviation of the directions, turned, folded and median filtered. */
+/** The standard deviation of the directions after turning them by an angle, folding and median
+ * filtering. */
 double spread_rad(const Directions& directions, double turn_rad)
 {
   const auto at = [&](std::size_t i) { return folded(directions[i] + turn_rad); };
@@ -54,7 +55,7 @@ double spread_rad(const Directions& directions, double turn_rad)
   return std::sqrt(std::max(0.0, sumOfSquares / n - (sum / n) * (sum / n)));
 }
 
-/** Middle of the fullest of the 2-degree bins. */
+/** The middle of the 2-degree bin that holds the most directions. */
 double mode_rad(const Directions& directions)
 {
   constexpr int kBins = 90;
@@ -69,7 +70,8 @@ double mode_rad(const Directions& directions)
   return (static_cast<double>(fullest - histogram.begin()) + 0.5) * kBin_rad;
 }
 
-/** The mode, moved to the mean of the directions near it; walls square to it count like it. */
+/** The mode of the directions, moved to the mean of the directions near it. Walls perpendicular to
+ * it are turned by 90 degrees and count as well. */
 double mainDirection_rad(const Directions& directions)
 {
   constexpr double kNear_rad = degToRad(5);

@@ -27,7 +27,7 @@ class PsmMatcher::Run
   PsmResult result()
   {
     result_.status = alternate();
-    if (result_.usable()) result_.status = judge();
+    if (result_.usable()) result_.status = evaluateFinalPose();
     result_.T_ref_cur = result_.usable() ? T_ref_cur_ : guess_;
     return result_;
   }
@@ -51,7 +51,7 @@ class PsmMatcher::Run
 
   void project() { projectPsmScan(current_, T_ref_cur_, reference_.grid, projection_); }
 
-  /** @return Converged where the step could be made, as shift() */
+  /** Orientation search. The status says whether the step could be made, as that of shift(). */
   PsmStatus turn()
   {
     const auto turn_rad =
@@ -85,8 +85,8 @@ class PsmMatcher::Run
            1;
   }
 
-  /** Error index and covariance of the final pose. */
-  PsmStatus judge()
+  /** Computes the error index and the covariance of the final pose. */
+  PsmStatus evaluateFinalPose()
   {
     result_.errorIndex_m = errorIndex_m();
     if (!std::isfinite(result_.errorIndex_m) || !T_ref_cur_.isFinite())

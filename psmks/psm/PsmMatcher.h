@@ -7,28 +7,28 @@
 
 namespace psmks
 {
-/** How a match by PsmMatcher ended. In every failure the pose is the guess, or the identity where
- *  that is not finite. */
+/** How a match by PsmMatcher ended. After a failure the pose is the guess, or the identity if the
+ * guess is not finite. */
 enum class PsmStatus
 {
-  NotRun,         //!< a default-constructed result. Failure.
+  NotRun,         //!< the value of a default-constructed result. Failure.
   Converged,      //!< the last steps were small
-  MaxIterations,  //!< the iterations ran out first; the method takes the pose as it is
-  TooFewPairs,  //!< less than minPairedArc_rad of paired rays, or none in any orientation. Failure.
-  Singular,     //!< the pairs do not fix a position. Failure.
-  InvalidInput  //!< no good ray in one of the scans, or a guess that is not finite. Failure.
+  MaxIterations,  //!< the iterations ran out before; the method accepts the pose
+  TooFewPairs,    //!< paired rays cover less than minPairedArc_rad, or none pair. Failure.
+  Singular,       //!< the pairs do not determine a position. Failure.
+  InvalidInput    //!< a scan has no good ray, or the guess is not finite. Failure.
 };
 
-/** What a match by PsmMatcher found. */
+/** The result of a match by PsmMatcher. */
 struct PsmResult
 {
   PsmStatus status = PsmStatus::NotRun;
   Pose2 T_ref_cur;
   Eigen::Matrix3d covariance =
-      Eigen::Matrix3d::Identity();  //!< of (x, y, phi); of usable ones only
-  double errorIndex_m = 0;          //!< see PsmOptions::errorIndex; of usable ones only
-  int pairs = 0;                    //!< of the last translation step
-  int iterations = 0;               //!< orientation and translation steps
+      Eigen::Matrix3d::Identity();  //!< of (x, y, phi); set if the match is usable
+  double errorIndex_m = 0;          //!< see PsmOptions::errorIndex; set if the match is usable
+  int pairs = 0;                    //!< number of pairs in the last translation step
+  int iterations = 0;               //!< number of orientation and translation steps
 
   bool usable() const
   {
@@ -36,17 +36,18 @@ struct PsmResult
   }
 };
 
-/** Polar scan matching, the method that PSM-KS grew out of: the current scan is projected to the
- *  reference viewpoint, its points pair with the reference points of the same bearing, and
- *  orientation search and translation step alternate until both are small.
+/** Polar scan matching (PSM), the method from which PSM-KS was developed. The current scan is
+ * projected to the reference viewpoint, and its points are paired with the reference points at the
+ * same bearing. An orientation search and a translation step alternate until both changes are
+ * small.
  *
- *  Source: Diosi and Kleeman, IROS 2005 and IJRR 2007, see PsmOptions. Orientation goes first, as
- *  in the later edition. The frame is ours: x forward, bearings from it.
+ * Source: Diosi and Kleeman, IROS 2005 and IJRR 2007, see PsmOptions. The orientation search comes
+ * first, as in the later paper. Frames are those of psmks: x forward, bearings counted from it.
  *
- *  Differs from the source: bearings wrap on a closed grid, so a scan of the full circle has no
- *  seam; rotation counts in the stop rule by a limit of its own.
+ * Differs from the source: bearings wrap on a closed grid, so that a scan of the full circle has no
+ * seam, and the stop rule has a separate limit for the rotation.
  *
- *  Owns its buffers, so one object serves one thread. Bad data never throws, see PsmStatus. */
+ * An object owns its buffers and serves one thread. Bad data never throws, see PsmStatus. */
 class PsmMatcher
 {
  public:
@@ -54,7 +55,8 @@ class PsmMatcher
 
   const PsmOptions& options() const { return options_; }
 
-  /** Both scans as preparePsmScan() makes them with the same options; their grids may differ. */
+  /** Matches two scans that preparePsmScan() made with the options of this matcher. Their grids may
+   * differ. */
   PsmResult match(const PsmScan& reference, const PsmScan& current, const Pose2& T_ref_cur_guess);
 
  private:

@@ -5,26 +5,26 @@
 
 namespace psmks
 {
-/** How PsmMatcher says how far apart two matched scans are. */
+/** How PsmMatcher measures the difference of two matched scans. */
 enum class PsmErrorIndex
 {
   RangeDifference,  //!< fast: mean absolute range difference of the paired rays
   NearestPoint      //!< slow: mean distance to the nearest point, the worse of both directions
 };
 
-/** The constants of polar scan matching, by default those that its authors use for a SICK LMS200
- *  (181 rays, 1 degree apart, centimetres).
+/** The constants of polar scan matching. The defaults are those that the authors use for a SICK
+ * LMS200, which has 181 rays 1 degree apart.
  *
  *  Source: A. Diosi and L. Kleeman, "Laser scan matching in polar coordinates with application to
  *  SLAM", IROS 2005, and "Fast laser scan matching using polar coordinates", IJRR 26(10), 2007.
  *
- *  What they count in rays is an angle here, so that it means the same on any BeamGrid. Only the
- *  median window stays a number of rays: it is there for single bad readings. */
+ *  Quantities that the authors count in rays are angles here, so that they mean the same on every
+ *  BeamGrid. Only the median window is a number of rays, for it removes single bad readings. */
 struct PsmOptions
 {
   // Preprocessing
   int medianWindow = 5;         //!< rays, odd; 1 = no filter
-  double maxRange_m = 0;        //!< farther readings take no part; 0 = the scanner's own maximum
+  double maxRange_m = 0;        //!< farther readings are ignored; 0 = the maximum of the scanner
   double segmentBreak_m = 0.2;  //!< neighbouring ranges farther apart are on two surfaces
 
   // Orientation search
@@ -32,17 +32,18 @@ struct PsmOptions
 
   // Pairs of rays in the translation step
   double minProjectedRange_m = 0.1;
-  double maxPairDifference_m = 1;          //!< of the two ranges
-  double minPairedArc_rad = degToRad(40);  //!< pairs times increment: 40 rays of 1 degree
+  double maxPairDifference_m = 1;  //!< largest difference of two paired ranges
+  double minPairedArc_rad =
+      degToRad(40);  //!< least number of pairs times increment; 40 rays of 1 degree
 
   // Weights C / (d^2 + C) of a range difference d (Dudek and Jenkin), by the root of C
   double weightScale_m = 0.7;
   double lateWeightScale_m = 0.1;  //!< 70 cm / sqrt(50)
   int lateFromIteration = 10;      //!< counted from 0
 
-  // Alternation. A step is small where |dx| + |dy| and |dphi|, each as a share of its limit, sum up
-  // to less than 1. The authors add centimetres to an angle and compare with 0.4.
-  int maxIterations = 30;  //!< orientation and translation steps count one each
+  // Alternation. A step is small if |dx| + |dy| and |dphi|, each divided by its limit, sum up to
+  // less than 1. (The authors add centimetres to an angle and compare the sum with 0.4.)
+  int maxIterations = 30;  //!< orientation and translation steps are counted alike
   int smallStepsToStop = 3;
   double stopTranslation_m = 0.004;
   double stopRotation_rad = degToRad(0.4);
@@ -53,11 +54,12 @@ struct PsmOptions
   double alongCorridorSigma_m = 4;
   double acrossCorridorSigma_m = 0.3;
   double headingSigma_rad = degToRad(4);
-  double errorOffset_m = 0.05;  //!< an error index up to this plus one step leaves the covariance
-  double errorStep_m = 0.01;    //!< each further step multiplies it once more
+  double errorOffset_m = 0.05;  //!< up to this plus one step the covariance is not enlarged
+  double errorStep_m = 0.01;    //!< the covariance is enlarged in proportion to these steps
 
   // Corridor test
-  double corridorSpread_rad = degToRad(25);  //!< surfaces whose directions spread less: a corridor
-  double chordArc_rad = degToRad(1);  //!< between the ends of a chord: the neighbours of an LMS200
+  double corridorSpread_rad =
+      degToRad(25);  //!< a smaller spread of the directions of surfaces is a corridor
+  double chordArc_rad = degToRad(1);  //!< angle between the ends of a chord; 1 ray of an LMS200
 };
 }  // namespace psmks

@@ -9,7 +9,7 @@ namespace psmks
 {
 namespace
 {
-/** Sum and number of the range differences of paired rays. */
+/** The sum and the number of the range differences of paired rays. */
 struct Differences
 {
   double sum_m = 0;
@@ -21,7 +21,8 @@ struct Differences
   }
 };
 
-/** Projected rays [first, last) against the reference rays `shift` further on. */
+/** Adds the differences of the projected rays [first, last) from the reference rays `shift` further
+ * on. */
 void addDifferences(const PsmScan& reference, const PsmProjection& projection, int first, int last,
                     int shift, Differences& differences)
 {
@@ -48,7 +49,7 @@ double shiftError_m(const PsmScan& reference, const PsmProjection& projection, i
   return differences.mean_m();
 }
 
-/** The shifts that the window allows, at most half of the scan. */
+/** The number of shifts to either side that the search window allows, at most half of the scan. */
 int shiftsToEachSide(const BeamGrid& grid, double searchWindow_rad)
 {
   const double shifts = std::round(searchWindow_rad / grid.increment_rad());
@@ -62,7 +63,7 @@ double parabolaMinimum(double left, double middle, double right)
   const double curvature = left + right - 2 * middle;
   if (left <= middle || right <= middle || !(curvature > kFlat_m)) return 0;
   const double offset = (left - right) / (2 * curvature);
-  return std::abs(offset) < 1 ? offset : 0;  // false for NaN
+  return std::abs(offset) < 1 ? offset : 0;  // NaN gives 0
 }
 
 std::optional<double> findPsmTurn_rad(const PsmScan& reference, const PsmProjection& projection,

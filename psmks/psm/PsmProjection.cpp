@@ -44,7 +44,7 @@ class Drawing
   }
 
  private:
-  /** Of a ray: a point that lies on it but for rounding belongs to it. */
+  /** Tolerance, as a fraction of a ray, within which a point counts as lying on a ray. */
   static constexpr double kRounding = 1e-9;
 
   void draw(int ray, double range_m, PsmTag tag)

@@ -6,19 +6,20 @@
 
 namespace psmks
 {
-/** What the reference viewpoint would measure of the current scan's surfaces, on its own rays. */
+/** The ranges that the reference viewpoint would measure to the surfaces of the current scan, along
+ * the reference rays. */
 struct PsmProjection
 {
-  std::vector<double> range_m;  //!< one per reference ray; infinite where Empty
+  std::vector<double> range_m;  //!< one per reference ray; infinite if the tag is Empty
   std::vector<PsmTag> tag;      //!< one per reference ray: Good, Occluded or Empty
 };
 
-/** Draws the current scan as the reference viewpoint would see it (Diosi and Kleeman 2007).
- *  Two neighbouring points of one surface cover the reference rays between them, with ranges
- *  interpolated along the bearing; the nearest surface stays. One whose bearings run backwards is
- *  seen from behind: it is Occluded, but hides what is farther.
+/** Computes the current scan as the reference viewpoint would see it (Diosi and Kleeman 2007). Two
+ * neighbouring points of one surface cover the reference rays between them, with ranges
+ * interpolated along the bearing, and the nearest surface counts. A surface along which the
+ * bearings decrease is seen from behind: it is Occluded, but hides what is farther away.
  *
- *  What the current viewpoint cannot see of the reference scan is not looked for.
+ * Parts of the reference scan that the current viewpoint cannot see are not marked.
  *
  *  @param T_ref_cur finite */
 void projectPsmScan(const PsmScan& current, const Pose2& T_ref_cur, const BeamGrid& referenceGrid,

@@ -20,7 +20,7 @@ double maxRange_m(const Scan& scan, const PsmOptions& options)
   return limit_m;
 }
 
-/** Every ray's reading, or kNoReading_m. */
+/** The reading of each ray, or kNoReading_m. */
 std::vector<double> readings(const Scan& scan, double limit_m)
 {
   const auto rays = static_cast<std::size_t>(scan.grid.count());
@@ -30,7 +30,7 @@ std::vector<double> readings(const Scan& scan, double limit_m)
   for (std::size_t i = 0; i < rays; ++i)
   {
     const double r = scan.range_m[i];
-    const bool usable = r > 0 && r < limit_m && (!flagged || scan.valid[i]);  // false for NaN
+    const bool usable = r > 0 && r < limit_m && (!flagged || scan.valid[i]);  // NaN is not usable
     if (usable) range_m[i] = r;
   }
   return range_m;

@@ -10,8 +10,9 @@
 
 namespace psmks
 {
-/** Whether a ray takes part. The method also has tags for moving objects and for readings on an
- *  edge, but no rule that sets them: a reading on an edge drops out as a lone point. */
+/** Whether a ray is used. The source also names tags for moving objects and for mixed readings at
+ * edges, but gives no rule that sets them: a mixed reading is dropped as a point without surface.
+ */
 enum class PsmTag : std::uint8_t
 {
   Good,
@@ -20,29 +21,30 @@ enum class PsmTag : std::uint8_t
   Empty         //!< projected: no surface at this bearing
 };
 
-/** A scan ready for polar scan matching: filtered, tagged and segmented. */
+/** A scan prepared for polar scan matching: filtered, tagged and segmented. */
 struct PsmScan
 {
-  static constexpr int kLone = 0;  //!< segment of a point on no surface, or of no reading
+  static constexpr int kLone =
+      0;  //!< the segment of rays that lie on no surface or have no reading
 
   BeamGrid grid;
-  double maxRange_m = 0;        //!< infinite where there is no limit
-  std::vector<double> range_m;  //!< one per ray; infinite where BeyondRange
+  double maxRange_m = 0;        //!< infinite if there is no limit
+  std::vector<double> range_m;  //!< one per ray; infinite if the tag is BeyondRange
   std::vector<PsmTag> tag;      //!< one per ray: Good or BeyondRange
-  std::vector<int> segment;     //!< one per ray: kLone, or from 1
+  std::vector<int> segment;     //!< one per ray: kLone, or the number of a surface, from 1
 
   int rays() const { return static_cast<int>(range_m.size()); }
   bool isGood(int i) const { return tag[static_cast<std::size_t>(i)] == PsmTag::Good; }
   double range(int i) const { return range_m[static_cast<std::size_t>(i)]; }
   int segmentOf(int i) const { return segment[static_cast<std::size_t>(i)]; }
 
-  /** True where rays i and j lie on one surface. */
+  /** Whether rays i and j lie on one surface. */
   bool sameSurface(int i, int j) const
   {
     return segmentOf(i) != kLone && segmentOf(i) == segmentOf(j);
   }
 
-  /** A good ray's point in the sensor frame. */
+  /** The end point of ray i in the sensor frame. The ray has to be Good. */
   Eigen::Vector2d point(int i) const { return range(i) * grid.direction(i); }
 
   int goodRays() const;
@@ -50,11 +52,11 @@ struct PsmScan
 
 /** Median filter, tags and segments of a scan (Diosi and Kleeman 2007).
  *
- *  A ray without a reading (NaN, infinite, not positive, flagged, at or beyond the maximum range)
- *  counts as farther than any in the median, so that a single one between readings takes their
- *  median, and a single reading between such rays disappears. The ends of an open scan are repeated
- *  for the filter; a closed one has none.
+ *  For the median, a ray without a reading (NaN, infinite, not positive, flagged, at or beyond the
+ *  maximum range) counts as farther than all readings: a single such ray between readings gets
+ *  their median, and a single reading between such rays is removed. At the ends of an open scan the
+ *  filter repeats the outer readings; on a closed scan it wraps.
  *
- *  Never fails: a scan whose ranges do not fit its grid has no good ray. */
+ *  It never fails: if the number of ranges differs from that of the grid, no ray is Good. */
 void preparePsmScan(const Scan& scan, const PsmOptions& options, PsmScan& result);
 }  // namespace psmks

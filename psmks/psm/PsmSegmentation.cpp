@@ -31,7 +31,8 @@ class Segmenter
 
   double jump_m(int i, int before) const { return std::abs(scan_.range(i) - scan_.range(before)); }
 
-  /** The ray to start from: behind one without a reading, else behind the greatest jump. */
+  /** The ray to start from: the one after a ray without a reading, else the one after the greatest
+   * jump of the range. */
   int afterGreatestJump() const
   {
     int first = 0;
@@ -49,7 +50,7 @@ class Segmenter
     return first;
   }
 
-  /** Rays stay lone until another joins them. */
+  /** Assigns ray i to a segment. It stays without a surface until another ray joins it. */
   void place(int i, int before, int beforeThat)
   {
     if (before == kNone || !scan_.isGood(i) || !scan_.isGood(before)) return;
@@ -77,7 +78,8 @@ class Segmenter
     scan_.segment[static_cast<std::size_t>(i)] = segment;
   }
 
-  /** A single surface all round may still end in a jump: there its last ray is left alone. */
+  /** If one surface goes all the way round but ends in a jump of the range, its last ray is taken
+   * off. */
   void openSpiral(int last, int first)
   {
     if (scan_.sameSurface(last, first) && jump_m(first, last) >= break_m_)

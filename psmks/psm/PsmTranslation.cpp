@@ -8,7 +8,7 @@ namespace psmks
 {
 namespace
 {
-/** Determinant of the normal equations below which they fix no position. */
+/** If the determinant of the normal equations is smaller, the pairs do not determine a position. */
 constexpr double kSingular = 1e-3;
 }  // namespace
 

@@ -5,22 +5,22 @@
 
 namespace psmks
 {
-/** What a translation step is made from, and the step. */
+/** A translation step and the number of pairs that it was computed from. */
 struct PsmTranslation
 {
-  int pairs = 0;          //!< rays that took part
-  bool solvable = false;  //!< false where the pairs do not fix two coordinates
+  int pairs = 0;          //!< number of paired rays
+  bool solvable = false;  //!< whether the pairs determine both coordinates
   Eigen::Vector2d step_m = Eigen::Vector2d::Zero();  //!< to add to the position, reference frame
 };
 
-/** The shift of the current scan that evens out the differences d of paired ranges best, by one
- *  step of weighted least squares (Diosi and Kleeman 2007): d = cos b dx + sin b dy at
- *  bearing b, weighted by C / (d^2 + C).
+/** The shift of the current scan that minimises the differences d of paired ranges, by one step of
+ * weighted least squares (Diosi and Kleeman 2007): d = cos b dx + sin b dy at bearing b, with the
+ * weight C / (d^2 + C).
  *
- *  A pair is Good on both sides, its projected range between minProjectedRange_m and the maximum
- *  range, and its ranges differ by less than maxPairDifference_m.
+ * Two ranges are a pair if both are Good, the projected one is between minProjectedRange_m and the
+ * maximum range, and they differ by less than maxPairDifference_m.
  *
- *  @param weightScale_m the root of C */
+ *  @param weightScale_m the square root of C */
 PsmTranslation solvePsmTranslation(const PsmScan& reference, const PsmProjection& projection,
                                    double weightScale_m, const PsmOptions& options);
 }  // namespace psmks
