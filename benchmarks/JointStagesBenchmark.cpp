@@ -11,7 +11,7 @@ namespace psmks
 {
 namespace
 {
-/** The room pair after its segmentation, as the stages of a joint match find it. */
+/** The segmented scans of the room pair, which the stages of a joint match begin with. */
 struct Stages
 {
   explicit Stages(const benchmark::State& state) : pair(static_cast<int>(state.range(0)))
@@ -32,7 +32,7 @@ struct Stages
 
 constexpr PairingGates kLastGates{0.05, degToRad(2.5), 0.5, 0, true};
 
-/** What is derived from a scan before it is matched: surfaces, short lines, circles. */
+/** Computes what is derived from a scan before it is matched: surfels, short lines, circles. */
 void view(benchmark::State& state)
 {
   Stages s(state);
@@ -54,7 +54,7 @@ void association(benchmark::State& state)
   }
 }
 
-/** From 1 cm and half a degree away. */
+/** Refines a pose that is 1 cm and half a degree off. */
 void gaussNewton(benchmark::State& state)
 {
   Stages s(state);
@@ -67,7 +67,7 @@ void gaussNewton(benchmark::State& state)
   }
 }
 
-/** The rays of one scan against the surfaces of the other. */
+/** Scores the rays of one scan on the surfaces of the other. */
 void score(benchmark::State& state)
 {
   Stages s(state);

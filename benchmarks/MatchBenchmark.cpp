@@ -10,8 +10,8 @@ namespace psmks
 {
 namespace
 {
-/** A whole match from the zero guess; argument: rays.
- *  @param segmented both scans come segmented, as where a sequence is matched */
+/** Matches the room pair from the zero guess. The argument is the number of rays.
+ *  @param segmented whether both scans are segmented before, as in a sequence of scans */
 void match(benchmark::State& state, const Matcher& matcher, bool segmented)
 {
   const RoomPair pair(static_cast<int>(state.range(0)));
@@ -41,7 +41,7 @@ BENCHMARK(jointOfSegmentedScans)->Arg(181)->Arg(361)->Arg(1081);
 BENCHMARK(paper)->Arg(181)->Arg(361);
 
 #ifdef PSMKS_WITH_CERES
-/** As jointOfSegmentedScans, Ceres in place of Gauss-Newton. */
+/** As jointOfSegmentedScans, with Ceres in place of Gauss-Newton. */
 void jointOfSegmentedScansByCeres(benchmark::State& state)
 {
   MatcherOptions options;

@@ -8,8 +8,8 @@ namespace psmks
 {
 namespace
 {
-/** The current scan seen from the reference viewpoint, with its occlusions: what the paper's
- *  orientation search does for every angle; argument: rays. */
+/** Projects the current scan to the reference viewpoint and marks occlusions, as the paper's
+ * orientation search does for each angle. The argument is the number of rays. */
 void projection(benchmark::State& state)
 {
   const RoomPair pair(static_cast<int>(state.range(0)));

@@ -10,7 +10,7 @@ namespace psmks
 {
 namespace
 {
-/** Places of a site where a robot could be. */
+/** Random poses of a site at which a robot has space. */
 std::vector<Pose2> freePoses(const Site& site)
 {
   constexpr int kPoses = 200;
@@ -21,7 +21,8 @@ std::vector<Pose2> freePoses(const Site& site)
   return poses;
 }
 
-/** A scan of 361 rays over 180 degrees that reach 30 m, without noise; the time is per scan. */
+/** Casts scans of 361 rays over 180 degrees with a range of 30 m and without noise. The time is
+ * that of one scan. */
 void castingAScan(benchmark::State& state, const char* siteName)
 {
   constexpr int kRays = 361;

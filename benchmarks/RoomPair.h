@@ -6,8 +6,8 @@
 
 namespace psmks
 {
-/** Two scans of the simulated room over 180 degrees with 30 m of range, 36 cm and 8 degrees apart:
- *  always the same ones. */
+/** Two fixed scans of the simulated room over 180 degrees with a range of 30 m. They are 36 cm and
+ * 8 degrees apart. */
 struct RoomPair
 {
   Scan reference, current;

@@ -7,7 +7,7 @@ namespace psmks
 {
 namespace
 {
-/** One scan from raw ranges to segments; argument: rays. */
+/** Segments one scan from its raw ranges. The argument is the number of rays. */
 void segmentation(benchmark::State& state, LineFilter filter)
 {
   const RoomPair pair(static_cast<int>(state.range(0)));

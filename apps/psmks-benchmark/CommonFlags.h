@@ -11,30 +11,31 @@
 
 namespace psmks
 {
-/** The matcher that keeps its guess. */
+/** The matcher that returns its guess. */
 constexpr const char* kNoMatcher = "guess";
 
-/** Of which matchers' time others are told as multiples. */
+/** The matcher whose time is the unit of the column of time ratios. */
 constexpr const char* kBaseline = "icp-classic";
 
-// Flags that mean the same in every command that has them. What a variable holds is the default.
+// Flags that have the same meaning in all commands. The values of the variables are the defaults.
 
-/** --matchers */
+/** Adds --matchers. */
 void addMatchersFlag(CLI::App& app, std::vector<std::string>& matchers);
 
-/** --repeats */
+/** Adds --repeats. */
 void addRepeatsFlag(CLI::App& app, int& repeats);
 
-/** --guess: "zero", "odometry" or both */
+/** Adds --guess, with the values "zero" and "odometry". */
 void addGuessFlag(CLI::App& app, std::vector<std::string>& guesses);
 
-/** --sensor-file, --config and --set: each over those before */
+/** The flags --sensor-file, --config and --set. Each has priority over those before it. */
 class OptionFlags
 {
  public:
   void addTo(CLI::App& app);
 
-  /** @throws OptionError for what the flags name and cannot be accepted */
+  /** The options that the flags set.
+   *  @throws OptionError for a file or an option that cannot be accepted */
   SlamOptions options() const;
 
  private:
@@ -42,9 +43,10 @@ class OptionFlags
   std::vector<std::string> assignments_;
 };
 
-/** The names of those that were built. */
+/** The matchers among these that are part of this build. */
 std::vector<std::string> builtMatchers(const std::vector<std::string>& names);
 
-/** @throws OptionError for a matcher that does not exist or options that it does not accept */
+/** Checks that matchers can be made.
+ *  @throws OptionError for a matcher that does not exist or options that it does not accept */
 void checkMatchers(const std::vector<std::string>& names, const MatcherOptions& options);
 }  // namespace psmks

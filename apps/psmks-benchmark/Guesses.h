@@ -13,21 +13,21 @@ namespace psmks
 constexpr const char* kZeroGuess = "zero";
 constexpr const char* kOdometryGuess = "odometry";
 
-/** Where the matches of a set of pairs start. */
+/** The guesses of the matches of a set of pairs. */
 struct Guesses
 {
   std::string name;
-  std::vector<Guess> ofPair;  //!< one per pair, in order
+  std::vector<Guess> ofPair;  //!< one for each pair, in their order
 };
 
-/** No motion, without covariance: a starting point and nothing more. */
+/** Guesses of no motion without a covariance, which are starting points only. */
 Guesses zeroGuesses(const std::vector<ScanPair>& pairs);
 
-/** The odometry of the pairs as a measurement, with these standard deviations. */
+/** The odometry of the pairs as a measurement with these standard deviations. */
 Guesses odometryGuesses(const std::vector<ScanPair>& pairs, double sigma_m, double sigma_rad);
 
-/** A guess this far from the truth, in a random direction and turned this or that way round,
- * without covariance. */
+/** A guess without covariance at a distance from the truth in a random direction, turned by a
+ * rotation to a random side. */
 Guess displacedGuess(const Pose2& truth, double distance_m, double rotation_rad,
                      std::mt19937_64& random);
 }  // namespace psmks

@@ -8,7 +8,7 @@ namespace psmks
 {
 namespace
 {
-/** The model that Linux reports for the first processor. */
+/** The model of the first processor that Linux reports. */
 std::string processorModel()
 {
   std::ifstream file("/proc/cpuinfo");

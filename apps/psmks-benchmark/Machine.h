@@ -5,14 +5,14 @@
 
 namespace psmks
 {
-/** What measured times depend on. */
+/** Everything besides the input that measured times depend on. */
 struct Machine
 {
   std::string processor;
   std::string compiler;
-  std::string flags;  //!< of psmks_core
+  std::string flags;  //!< compiler flags of psmks_core
   std::string buildType;
-  std::string commit;  //!< at configure time
+  std::string commit;  //!< commit at the time of the configuration
 
   static Machine present();
 

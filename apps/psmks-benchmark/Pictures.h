@@ -12,19 +12,19 @@ namespace psmks
 struct Picture
 {
   std::string caption;
-  std::string path;  //!< from the folder of the report
+  std::string path;  //!< relative to the folder of the report
 };
 
-/** The pictures of a report, in a folder beside it or below. */
+/** The pictures of a report, which are saved in a folder. */
 class Pictures
 {
  public:
-  /** Makes the folder for the pictures where it is missing.
-   *  @param folder for the pictures, from the folder of the report; empty = the same
-   *  @throws std::filesystem::filesystem_error */
+  /** Creates the folder of the pictures if it does not exist.
+   *  @param folder of the pictures, relative to that of the report; empty = the same folder
+   *  @throws std::filesystem::filesystem_error if it cannot be created */
   Pictures(const std::string& reportFolder, const std::string& folder);
 
-  /** Saves a picture. Where that fails - gnuplot is not installed - stderr says why, once. */
+  /** Saves a picture. If this fails, as without gnuplot, stderr says why once. */
   void add(const std::string& name, const std::string& caption, const Figure& figure);
 
   const std::vector<Picture>& saved() const { return saved_; }

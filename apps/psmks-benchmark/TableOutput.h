@@ -8,24 +8,24 @@
 
 namespace psmks
 {
-/** Where the tables of a command go: to the terminal and to files, with the machine that they were
- * measured on. */
+/** The output of the tables of a command: the terminal and files. The machine on which times were
+ * measured is part of it. */
 class TableOutput
 {
  public:
   void addFlags(CLI::App& command) { files_.addFlags(command); }
 
-  /** Creates the files, so that a mistyped path is reported before the work is done. */
+  /** Creates the files now, so that a mistyped path is reported before the work is done. */
   void open() { files_.open(); }
 
-  /** To the terminal and to the files.
+  /** Writes tables to the terminal and to the files.
    *  @param tables all with the same columns */
   void write(const std::vector<Table>& tables);
 
-  /** To the terminal, after the machine. */
+  /** Prints the machine and the tables. */
   static void print(const std::vector<Table>& tables);
 
-  /** To the files.
+  /** Writes tables to the files.
    *  @param tables all with the same columns */
   void save(const std::vector<Table>& tables);
 

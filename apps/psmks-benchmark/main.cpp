@@ -21,13 +21,14 @@ namespace psmks
 {
 namespace
 {
-/** The commands of the program, each with its flags and what it runs. */
+/** The commands of the program. */
 class Commands
 {
  public:
   explicit Commands(CLI::App& program) : program_(program) {}
 
-  /** @tparam Command constructed with the parser that it adds its flags to; has run() */
+  /** Adds a command with flags of its own.
+   *  @tparam Command has a constructor that adds its flags to a parser, and a function run() */
   template <class Command>
   void add(const std::string& name, const std::string& description)
   {
@@ -41,8 +42,8 @@ class Commands
     commands_.push_back({program_.add_subcommand(name, description), std::move(run)});
   }
 
-  /** Runs the one that the command line names.
-   *  @throws CLI::Error where it names none, or with flags that do not exist */
+  /** Runs the command that the command line names.
+   *  @throws CLI::Error if it names none, or for flags that do not exist */
   ExitCode run(int argc, char** argv) const
   {
     program_.parse(argc, argv);

@@ -8,7 +8,7 @@
 
 namespace psmks
 {
-/** What a file is converted to: the ending of its name says it. */
+/** The kind of a file to write, which the ending of its name says. */
 enum class OutputKind
 {
   Rawlog,    //!< .rawlog

@@ -16,8 +16,8 @@ void complain(const std::string& input, const std::string& sentence)
   std::cerr << "psmks-convert: '" << input << "': " << sentence << '\n';
 }
 
-/** Nothing was read.
- *  @throws ProgramError */
+/** Reports a log of which nothing could be read.
+ *  @throws ProgramError always */
 [[noreturn]] void refuse(const std::string& input, const LogReader& reader)
 {
   for (const auto& remark : reader.remarks()) complain(input, remark);

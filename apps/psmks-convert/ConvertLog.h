@@ -6,8 +6,8 @@
 
 namespace psmks
 {
-/** From a log to another log or to pairs.
- *  @return the exit code, where it is not ok after one sentence on stderr
- *  @throws ProgramError */
+/** Converts a log to another log or to scan pairs. If something was wrong, one sentence on stderr
+ * says so.
+ *  @throws ProgramError if the input cannot be read or the output cannot be written */
 ExitCode convertLog(const CommandLine& commandLine);
 }  // namespace psmks

@@ -5,7 +5,7 @@
 
 namespace psmks
 {
-/** From an ActivMedia map to its walls: a row a segment, x1_m,y1_m,x2_m,y2_m.
- *  @throws ProgramError */
+/** Converts an ActivMedia map to a CSV file of its walls with the columns x1_m,y1_m,x2_m,y2_m.
+ *  @throws ProgramError if the input cannot be read or the output cannot be written */
 void convertMap(const CommandLine& commandLine);
 }  // namespace psmks

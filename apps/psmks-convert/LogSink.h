@@ -9,22 +9,23 @@
 
 namespace psmks
 {
-/** Where the scans of a log go. */
+/** The destination of the scans of a log. */
 class LogSink
 {
  public:
   virtual ~LogSink() = default;
 
-  /** @throws std::exception where the file cannot be written */
+  /** Appends a frame.
+   *  @throws std::exception if the file cannot be written */
   virtual void write(const LaserFrame& frame) = 0;
 
-  /** After the last frame.
-   *  @return what there is to say of the file, half a sentence: "1051 scans"
-   *  @throws std::exception where the file cannot be written */
+  /** Has to be called after the last frame.
+   *  @return a description of the file for a sentence, such as "1051 scans"
+   *  @throws std::exception if the file cannot be written */
   virtual std::string finish() = 0;
 };
 
-/** The file of a command line, created now.
- *  @throws ProgramError where it cannot be created, or a ground truth cannot be read */
+/** Creates the output file of a command line.
+ *  @throws ProgramError if it cannot be created or a ground truth cannot be read */
 std::unique_ptr<LogSink> makeLogSink(const CommandLine& commandLine);
 }  // namespace psmks

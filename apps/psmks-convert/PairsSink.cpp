@@ -10,14 +10,14 @@ namespace psmks
 {
 namespace
 {
-/** A pairs file writes no return as 0. */
+/** Sets the ranges of rays without return to 0, as in files of scan pairs. */
 void flattenInvalid(Scan& scan)
 {
   for (std::size_t ray = 0; ray < scan.range_m.size(); ++ray)
     if (!scan.valid[ray] || !std::isfinite(scan.range_m[ray])) scan.range_m[ray] = 0;
 }
 
-/** Between sensors, where the robots' is known. */
+/** The motion between two sensors from that of their robots. */
 Pose2 ofSensors(const Pose2& T_ref_cur, const Pose2& T_ref_sensor, const Pose2& T_cur_sensor)
 {
   return T_ref_sensor.inverse() * T_ref_cur * T_cur_sensor;
@@ -47,7 +47,8 @@ void PairsSink::write(const LaserFrame& frame)
   odometryIsWhole_ = true;
 }
 
-/** None where the true pose is not known, or a pairs file has no place for the scan. */
+/** The scan with its poses; nothing if its true pose is unknown or a file of scan pairs cannot hold
+ * it. */
 std::optional<PairsSink::Taken> PairsSink::taken(const LaserFrame& frame)
 {
   const auto truth = truthIndex_.nearest(frame.stamp_s, kStampTolerance_s);

@@ -12,12 +12,12 @@
 
 namespace psmks
 {
-/** Pairs of scans that follow each other, with the true motion between them. */
+/** Writes consecutive scans as pairs with their true motion. */
 class PairsSink : public LogSink
 {
  public:
-  /** @param every of so many scans one is taken
-   *  @throws ProgramError for a ground truth that cannot be read */
+  /** @param every one of so many scans is taken
+   *  @throws ProgramError if the ground truth cannot be read */
   PairsSink(const std::string& path, const std::string& groundTruth, int every);
 
   void write(const LaserFrame& frame) override;
@@ -41,7 +41,7 @@ class PairsSink : public LogSink
   ScanConverter converter_;
   int frames_ = 0;
   std::optional<Taken> reference_;
-  Pose2 odometry_;  //!< of the robot since the reference
+  Pose2 odometry_;  //!< motion of the robot since the reference
   bool odometryIsWhole_ = true;
   PairsHeader header_;
   std::vector<ScanPair> pairs_;

@@ -84,7 +84,7 @@ void addFlags(CLI::App& app, CommandLine& c)
   addOutputFlags(app, c);
 }
 
-/** Opens the files last, so that a mistyped flag leaves none behind. */
+/** Opens the files after all other checks, so that a mistyped flag creates none. */
 void check(CommandLine& commandLine)
 {
   if (commandLine.groundTruth.empty() && commandLine.relations.empty())

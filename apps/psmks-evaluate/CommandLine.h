@@ -15,10 +15,10 @@ namespace psmks
 struct CommandLine
 {
   std::vector<std::string> estimates;
-  std::string groundTruth;  //!< empty: none; then there are relations
-  std::string relations;    //!< empty: none; then there is a ground truth
+  std::string groundTruth;  //!< empty: none, then there are relations
+  std::string relations;    //!< empty: none, then there is a ground truth
 
-  std::size_t skippedPoses = 0;  //!< of those that have a true one, from the first on
+  std::size_t skippedPoses = 0;  //!< first poses with a known truth that are left out
   PairError limit{0.15, degToRad(2)};
   std::vector<double> driftLengths_m{1, 10};
   double shortSpan_s = kShortSpan_s;

@@ -15,7 +15,9 @@ using std::filesystem::path;
 
 std::string stem(const std::string& file) { return path(file).stem().string(); }
 
-/** Of results in folders of their own, all with the same file names. */
+/** The name of the folder of a file, for results that have the same file names in different
+ * folders.
+ */
 std::string folder(const std::string& file) { return path(file).parent_path().filename().string(); }
 
 std::string folderAndStem(const std::string& file) { return folder(file) + '/' + stem(file); }

@@ -10,7 +10,7 @@
 
 namespace psmks
 {
-/** An estimated trajectory and what is known of the truth about it. */
+/** An estimated trajectory with the truth about it. */
 struct Comparison
 {
   std::string name;
@@ -19,16 +19,18 @@ struct Comparison
   std::vector<RelationError> relations;  //!< empty without relations
 };
 
-/** Short names that tell files apart: without folder and extension where that is enough, else with
- * the folder that they lie in ("icp" of "out/icp/trajectory.tum"), else as they are. */
+/** Short names that distinguish files. They are the names without folder and extension if these
+ * differ, else the names of their folders ("icp" of "out/icp/trajectory.tum"), else the whole
+ * paths. */
 std::vector<std::string> namesOf(const std::vector<std::string>& paths);
 
-/** @throws ProgramError for a file that is missing or damaged (kInputDamaged) */
+/** Reads an estimated trajectory.
+ *  @throws ProgramError (kInputDamaged) if the file is missing or damaged */
 Trajectory readEstimate(const std::string& path);
 
-/** What an estimate has in common with the truth.
- *  @param skipped common poses that are left out, from the first on
- *  @throws ProgramError (kNothingToDo) where that is nothing */
+/** The poses of an estimate for which the truth is known.
+ *  @param skipped number of first common poses that are left out
+ *  @throws ProgramError (kNothingToDo) if none remain */
 std::vector<CommonPose> requireCommonPoses(const std::string& path, const Trajectory& estimate,
                                            const Trajectory& truth, std::size_t skipped);
 std::vector<RelationError> requireRelationErrors(const std::string& path,

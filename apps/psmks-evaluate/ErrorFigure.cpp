@@ -11,7 +11,7 @@ namespace psmks
 namespace
 {
 constexpr unsigned kTruthColour = 0x000000;
-constexpr double kLeastShown_m = 1e-3, kLeastShown_deg = 1e-2;  // on logarithmic axes
+constexpr double kLeastShown_m = 1e-3, kLeastShown_deg = 1e-2;  // least values on logarithmic axes
 
 Chart chartOf(const std::string& title, const std::string& xLabel, const std::string& yLabel)
 {
@@ -31,7 +31,7 @@ ChartSeries pathOf(const std::string& name, const Trajectory& trajectory,
   return series;
 }
 
-/** On the truth's path, or without one from a common beginning. */
+/** The paths, laid over the true path; without a ground truth with a common start. */
 Chart pathsChart(const std::vector<Comparison>& comparisons, const std::optional<Trajectory>& truth)
 {
   Chart chart = chartOf(truth ? "paths, aligned" : "paths", "x [m]", "y [m]");

@@ -10,7 +10,7 @@
 
 namespace psmks
 {
-/** The paths over each other, and the errors along them or over the spans of the relations. */
+/** A figure of the paths, and of the errors along them or over the spans of the relations. */
 Figure errorFigure(const std::vector<Comparison>& comparisons,
                    const std::optional<Trajectory>& truth);
 }  // namespace psmks

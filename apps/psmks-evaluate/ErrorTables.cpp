@@ -16,7 +16,7 @@ namespace
 constexpr int kDecimals_m = 4, kDecimals_deg = 3, kDecimals_m2 = 4;
 constexpr double kPercent = 100;
 
-/** The errors of one estimate by one measure. */
+/** Computes the errors of one estimate by one measure. */
 using Measure = std::function<std::vector<PairError>(const Comparison&)>;
 
 std::string numberText(double number)
@@ -56,7 +56,7 @@ void addCells(std::vector<Table::Cell>& row, const ErrorStatistics& s, double un
     row.emplace_back(unit * value);
 }
 
-/** Squares are published of relations only; columns that stay empty are not shown. */
+/** Whether a table has columns of squared errors. They are published for relations only. */
 enum class Squares
 {
   Given,
@@ -76,7 +76,7 @@ std::vector<Table::Cell> rowOf(const std::string& name, const PairErrorStatistic
   return row;
 }
 
-/** The tables of some estimates, measure by measure. */
+/** Makes the tables of some estimates, one for each measure. */
 class TablesOf
 {
  public:

@@ -9,7 +9,7 @@
 
 namespace psmks
 {
-/** A table for each measure, with a row for each estimate; all with the same columns. */
+/** Makes a table for each measure, with a row for each estimate. All have the same columns. */
 std::vector<Table> errorTables(const std::vector<Comparison>& comparisons,
                                const CommandLine& commandLine);
 }  // namespace psmks

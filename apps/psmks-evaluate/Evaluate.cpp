@@ -14,7 +14,7 @@ namespace psmks
 {
 namespace
 {
-/** What the estimates are held against; at least one of the two. */
+/** What the estimates are compared with: a ground truth, relations, or both. */
 struct Truth
 {
   std::optional<Trajectory> trajectory;
@@ -47,7 +47,7 @@ std::vector<Comparison> compare(const CommandLine& c, const Truth& truth)
   return comparisons;
 }
 
-/** How much of the input could be compared. */
+/** Prints how much of the input could be compared. */
 void printCoverage(std::ostream& out, const std::vector<Comparison>& comparisons,
                    const Truth& truth)
 {

@@ -5,7 +5,8 @@
 
 namespace psmks
 {
-/** One run of the program: reads, compares, prints and writes the tables, draws.
- *  @throws ProgramError */
+/** Runs the program: reads and compares the trajectories, prints and writes the tables, draws the
+ * figure.
+ *  @throws ProgramError if a file cannot be read or written, or if there is nothing to compare */
 void evaluate(CommandLine& commandLine);
 }  // namespace psmks

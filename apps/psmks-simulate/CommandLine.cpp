@@ -55,7 +55,7 @@ void addDriveFlags(CLI::App& app, CommandLine& c)
       ->capture_default_str();
 }
 
-/** Which rays the scanner has, and how far it sees. */
+/** Flags for the rays of the scanner and its maximum range. */
 void addScannerFlags(CLI::App& app, CommandLine& c)
 {
   app.add_option("--rays", c.rays, "of a scan")
@@ -72,7 +72,7 @@ void addScannerFlags(CLI::App& app, CommandLine& c)
       ->capture_default_str();
 }
 
-/** What makes the ranges differ from those to the nearest surface at one instant. */
+/** Flags for the errors of the ranges. */
 void addRangeFaultFlags(CLI::App& app, CommandLine& c)
 {
   app.add_option("--range_sigma_m", c.rangeSigma_m, "standard deviation of a range")

@@ -12,12 +12,12 @@ namespace psmks
 struct CommandLine
 {
   std::string world;
-  std::optional<double> resolution_m;  //!< of a world that is an image
+  std::optional<double> resolution_m;  //!< size of a pixel if the world is an image
   std::optional<double> startX_m, startY_m, startPhi_deg;
   int people = 0;
 
-  std::string driver;  //!< empty: by a route where there is one
-  std::string route;   //!< empty: the world's
+  std::string driver;  //!< empty: follows the route if there is one
+  std::string route;   //!< empty: that of the world
   double minutes = 10;
   unsigned seed = 1;
   double wheelNoise = 0.05;

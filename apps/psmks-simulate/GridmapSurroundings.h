@@ -8,8 +8,8 @@
 
 namespace psmks
 {
-/** A grid map that one can drive in, with people. A hit names the cell; people count on behind the
- * last cell. */
+/** A grid map with people to drive in. The number of a hit is that of the cell; the numbers of
+ * people follow that of the last cell. */
 class GridmapSurroundings : public Surroundings
 {
  public:
@@ -21,7 +21,7 @@ class GridmapSurroundings : public Surroundings
            double time_s) const override;
   double clearance_m(const Eigen::Vector2d& point_m, double limit_m, double time_s) const override;
 
-  /** What a picture shows: the outlines as points, and the people. */
+  /** A world for a picture, with the outlines of the map as points and with the people. */
   World drawn() const;
 
  private:

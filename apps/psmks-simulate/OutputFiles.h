@@ -10,21 +10,23 @@
 
 namespace psmks
 {
-/** The files of a simulated drive: FILE.rawlog, FILE.gt.tum, FILE.GT.txt and FILE.world.png. */
+/** The output files of a simulated drive: FILE.rawlog, FILE.gt.tum, FILE.GT.txt and FILE.world.png.
+ */
 class OutputFiles
 {
  public:
-  /** Begins the rawlog, so that a mistyped path is told before the work is done.
-   *  @throws ProgramError where it does not end in ".rawlog", cannot be written, or one of the
-   * files is there and may not be overwritten */
+  /** Creates the rawlog, so that a mistyped path is reported before the work is done.
+   *  @throws ProgramError if the path does not end in ".rawlog" or cannot be written, or if one
+   *      of the files exists and may not be overwritten */
   OutputFiles(const std::string& rawlog, bool overwrite, const RawlogWriter::Options& options);
 
-  /** Scans and ground truth, in the log's own time.
-   *  @param rangeSigma_m that the log states
+  /** Writes the scans and the ground truth with the stamps as the log stores them.
+   *  @param rangeSigma_m standard deviation of ranges that the log states
    *  @throws ProgramError naming a file that cannot be written */
   void write(const Recording& recording, double rangeSigma_m);
 
-  /** @throws ProgramError naming a file that cannot be written */
+  /** Draws the picture of the world.
+   *  @throws ProgramError naming a file that cannot be written */
   void write(const WorldPicture& picture) const;
 
   std::string rawlog() const { return stem_ + ".rawlog"; }

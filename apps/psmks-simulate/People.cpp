@@ -8,8 +8,8 @@ namespace psmks
 {
 namespace
 {
-constexpr double kStartDistance_m = 2;  // nobody stands closer to the robot when it starts
-constexpr int kStrollWays = 12;         // before a person's own ways begin
+constexpr double kStartDistance_m = 2;  // least distance of people from the robot at its start
+constexpr int kStrollWays = 12;         // straight walks of a person before those that are recorded
 constexpr int kWays = 4;
 constexpr int kTries = 100;
 
@@ -26,7 +26,7 @@ MovingObject person(std::vector<Eigen::Vector2d> path_m, std::mt19937_64& random
 std::vector<MovingObject> peopleAround(const Surroundings& surroundings,
                                        const Eigen::Vector2d& place_m, int count, unsigned seed)
 {
-  std::seed_seq ofPeople{seed, 3U};  // 1 and 2 are those of simulate()
+  std::seed_seq ofPeople{seed, 3U};  // simulate() uses 1 and 2
   std::mt19937_64 random(ofPeople);
   std::vector<MovingObject> people;
   for (int i = 0; i < count * kTries && static_cast<int>(people.size()) < count; ++i)

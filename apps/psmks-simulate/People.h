@@ -8,9 +8,9 @@
 
 namespace psmks
 {
-/** People who walk where one can get to from a place, on straight ways between points that they
- * chose at random, past everything that stands there. The same seed gives the same people.
- *  @return fewer than asked for where there is no room to walk */
+/** Makes people who walk along straight lines between random points, clear of all obstacles, in the
+ * area that can be reached on foot from a place. The same seed gives the same people.
+ *  @return fewer people than wanted if there is not enough space to walk */
 std::vector<MovingObject> peopleAround(const Surroundings& surroundings,
                                        const Eigen::Vector2d& place_m, int count, unsigned seed);
 }  // namespace psmks

@@ -61,14 +61,14 @@ Route readRouteFile(const std::string& path)
   }
 }
 
-/** At the first point of a route, facing the second. */
+/** A pose at the first point of a route that faces the second point. */
 Pose2 startOf(const Route& route)
 {
   const Eigen::Vector2d way_m = route[1] - route[0];
   return {route[0].x(), route[0].y(), std::atan2(way_m.y(), way_m.x())};
 }
 
-/** Settles, before the people come, where the robot starts. */
+/** Chooses the start pose of the robot, which has to be known before people are placed. */
 void placeRobot(const CommandLine& c, Place& place)
 {
   if (!c.route.empty()) place.route = readRouteFile(c.route);
@@ -122,7 +122,7 @@ GridmapRanges readGridmap(const std::string& path, std::optional<double> pixel_m
   return loadImageAsGridmap(path, *pixel_m);
 }
 
-/** Of every kind of world. */
+/** Loads a world of any kind. */
 Place makePlace(const CommandLine& c)
 {
   if (isSiteName(c.world)) return placeOf(c, makeSite(c.world, c.seed));

@@ -10,19 +10,18 @@
 
 namespace psmks
 {
-/** Where a drive takes place, from whatever source. */
+/** The world of a drive, its route and the start pose. */
 struct Place
 {
-  std::unique_ptr<Surroundings> surroundings;  //!< people included
-  World drawn;                                 //!< what a picture shows of them
-  std::string contents;                        //!< "32 walls, 0 points"
+  std::unique_ptr<Surroundings> surroundings;  //!< including the people
+  World drawn;                                 //!< the same for a picture
+  std::string contents;                        //!< description such as "32 walls, 0 points"
   Pose2 T_world_start;
-  Route route;  //!< empty: none
+  Route route;  //!< empty if there is none
 };
 
-/** Finds the world and the route that a command line names, and puts the robot and the people
- * there.
- *  @throws ProgramError for a world or a route that is missing or damaged, and where the robot does
- *  not fit in at its start */
+/** Loads the world and the route of a command line, and places the robot and the people.
+ *  @throws ProgramError if a world or a route is missing or damaged, or if the robot has no
+ *      space at its start */
 Place loadPlace(const CommandLine& commandLine, double robotRadius_m);
 }  // namespace psmks

@@ -53,7 +53,7 @@ std::unique_ptr<Driver> makeDriver(const CommandLine& c, const Place& place,
   return std::make_unique<AreaCenterDriver>(AreaCenterOptions(), robot, c.seed);
 }
 
-/** Mean time of casting one of the scans again. */
+/** The mean time to cast a scan, measured by casting some of the scans again. */
 double castingTime_s(const Surroundings& surroundings, const Recording& recording,
                      const LaserOptions& laser)
 {

@@ -5,7 +5,7 @@
 
 namespace psmks
 {
-/** One run of the program: loads the world, drives, writes all files and the summary.
- *  @throws ProgramError */
+/** Runs the program: loads the world, drives, writes all files and prints the summary.
+ *  @throws ProgramError if an input cannot be read or an output cannot be written */
 void simulateDrive(const CommandLine& commandLine);
 }  // namespace psmks

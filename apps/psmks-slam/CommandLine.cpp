@@ -19,7 +19,8 @@ constexpr const char* kFooter =
     "Exit codes: 0 ok; 1 usage or configuration; 2 input missing or damaged (what was read before\n"
     "the damage is saved); 3 no usable scan or odometry; 4 every match failed.";
 
-/** Those of the registry, where to take the guess is to drive by odometry alone. */
+/** The names of the registered matchers. The one that keeps its guess is called "odometry" here,
+ * for it drives by odometry alone. */
 std::vector<std::string> matcherNames()
 {
   std::vector<std::string> names = pairMatcherNames();

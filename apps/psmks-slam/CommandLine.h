@@ -31,7 +31,7 @@ struct CommandLine
   bool printOptions = false;
   bool verbose = false;
 
-  /** Needs no log. */
+  /** Whether options are printed only, which needs no log. */
   bool onlyPrints() const { return printConfig || printOptions; }
 };
 

@@ -13,7 +13,7 @@ namespace psmks
 {
 void requireDisplay()
 {
-  // MRPT waits for its window thread where there is no display, and then goes on without a window.
+  // Without a display MRPT waits for its window thread, and then continues without a window.
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display)
     throw ProgramError(kUsage, "--view needs a display, but the variable DISPLAY is not set");
@@ -23,7 +23,8 @@ void showMap(const ScanMap& map)
 {
   constexpr unsigned kWidth_px = 1000, kHeight_px = 800;
   constexpr float kElevation_deg = 80, kAzimuth_deg = -90;
-  constexpr float kDistancePerSize = 1.5f;  // of a camera that sees the whole map
+  constexpr float kDistancePerSize =
+      1.5f;  // distance of the camera from which the whole map is seen, over the size of the map
 
   mrpt::gui::CDisplayWindow3D window("psmks-slam", kWidth_px, kHeight_px);
   const auto scene = makeMapScene(map);

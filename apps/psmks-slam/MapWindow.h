@@ -5,8 +5,8 @@
 
 namespace psmks
 {
-/** Whether a window can be opened at all.
- *  @throws ProgramError where there is no display */
+/** Checks that a window can be opened.
+ *  @throws ProgramError if there is no display */
 void requireDisplay();
 
 /** Shows a map in a 3D window until the user closes it. */

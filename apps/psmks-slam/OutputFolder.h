@@ -10,21 +10,22 @@
 
 namespace psmks
 {
-/** The folder that a run's results go to. */
+/** The folder of the results of a run. */
 class OutputFolder
 {
  public:
-  /** Makes the folder.
-   *  @throws ProgramError where it cannot be made, or holds files that may not be overwritten */
+  /** Creates the folder.
+   *  @throws ProgramError if it cannot be created, or has files that may not be overwritten */
   OutputFolder(const std::string& path, bool overwrite);
 
-  /** All but the summary.
-   *  @param matcher in the map's title
+  /** Writes all results except the summary.
+   *  @param matcher name for the title of the map
    *  @throws ProgramError naming a file that cannot be written */
   void write(const std::vector<PosedScan>& scans, const ScanMap& map,
              const mrpt::maps::CSimpleMap& keyframes, const std::string& matcher) const;
 
-  /** @throws ProgramError where the file cannot be written */
+  /** Writes the summary.
+   *  @throws ProgramError if it cannot be written */
   void writeSummary(const RunSummary& summary, SlamOptions& options) const;
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }

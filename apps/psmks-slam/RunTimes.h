@@ -3,16 +3,16 @@
 
 namespace psmks
 {
-/** Where the time of a run goes. */
+/** The times of the parts of a run. */
 struct RunTimes
 {
   double reading_s = 0;
   double segmentation_s = 0;
-  double matching_s = 0;  //!< segmentation left out
-  double map_s = 0;       //!< choosing references and keeping the map of them
+  double matching_s = 0;  //!< without segmentation
+  double map_s = 0;       //!< choice of references and their map
   double output_s = 0;
 
-  /** From a scan to its pose. */
+  /** The time from scans to poses. */
   double building_s() const { return segmentation_s + matching_s + map_s; }
   double total_s() const { return reading_s + building_s() + output_s; }
 };

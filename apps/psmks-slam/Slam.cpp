@@ -13,7 +13,7 @@ namespace psmks
 {
 namespace
 {
-/** "folder/My log.rawlog.gz" gives "My log-slam". */
+/** The path of the output folder. By default "folder/My log.rawlog.gz" gives "My log-slam". */
 std::string outputPath(const CommandLine& commandLine)
 {
   if (!commandLine.output.empty()) return commandLine.output;
@@ -28,7 +28,7 @@ std::string outputPath(const CommandLine& commandLine)
   return name + "-slam";
 }
 
-/** Before the output folder is made. */
+/** Checks the command line before the output folder is created. */
 const CommandLine& checked(const CommandLine& commandLine)
 {
   if (commandLine.view) requireDisplay();
@@ -113,7 +113,7 @@ void Slam::buildTrajectory()
   divideBuildingTime();
 }
 
-/** What the matches did not take went into the references. */
+/** The time of building that matches did not take is that of the references. */
 void Slam::divideBuildingTime()
 {
   times_.map_s += watch_.lap_s();
@@ -145,7 +145,7 @@ void Slam::add(const LaserFrame& frame)
               << match.result.report() << '\n';
 }
 
-/** A scan becomes a reference when it is added, or when the next one is. */
+/** A scan becomes a reference when it is added, or when the next scan is added. */
 void Slam::keepKeyframes(const LaserFrame& frame)
 {
   const auto& scans = builder_.scans();
@@ -158,7 +158,7 @@ void Slam::keepKeyframes(const LaserFrame& frame)
     lastFrame_ = frame;
 }
 
-/** With the poses that the scans have in the end. */
+/** The key frames with the final poses of their scans. */
 mrpt::maps::CSimpleMap Slam::simpleMap() const
 {
   mrpt::maps::CSimpleMap map;

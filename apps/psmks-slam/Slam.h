@@ -17,16 +17,17 @@
 
 namespace psmks
 {
-/** One run of psmks-slam: from a log to the files of its output folder. */
+/** Runs psmks-slam, from a log to the files of its output folder. */
 class Slam
 {
  public:
   /** Checks everything that can be checked before the work begins.
-   *  @throws ProgramError, OptionError, TrajectoryFileError */
+   *  @throws ProgramError, OptionError, TrajectoryFileError if a file, an option or a ground
+   *      truth cannot be accepted */
   Slam(const CommandLine& commandLine, const SlamOptions& options);
 
-  /** @return the exit code, where it is not ok after one sentence on stderr
-   *  @throws ProgramError */
+  /** Does the work. If something was wrong, one sentence on stderr says so.
+   *  @throws ProgramError if nothing could be done or a file cannot be written */
   ExitCode run();
 
  private:
@@ -45,14 +46,14 @@ class Slam
   CommandLine commandLine_;
   SlamOptions options_;
   std::optional<Trajectory> groundTruth_;
-  std::vector<Relation> relations_;  //!< empty where none were given
+  std::vector<Relation> relations_;  //!< empty if there are none
   OutputFolder output_;
   Stopwatch watch_;
   std::unique_ptr<LogReader> reader_;
   TrajectoryBuilder builder_;
   ScanConverter converter_;
-  std::vector<std::pair<std::size_t, LaserFrame>> keyframes_;  //!< by the index of their scans
-  std::optional<LaserFrame> lastFrame_;                        //!< while it is no key frame
+  std::vector<std::pair<std::size_t, LaserFrame>> keyframes_;  //!< with the index of their scans
+  std::optional<LaserFrame> lastFrame_;  //!< the last frame, if it is not a key frame yet
   std::optional<MatchedRawlog> rawlog_;
   int scansWithoutOdometry_ = 0;
   RunTimes times_;

@@ -13,20 +13,20 @@
 
 namespace psmks
 {
-/** What there is to say of a run. */
+/** Everything that the summary of a run says. */
 struct RunSummary
 {
   Summary trajectory;
-  std::optional<RelationStatistics> relations;  //!< errors, where relations were given
-  std::vector<std::string> remarks;             //!< on the log, see LogReader
+  std::optional<RelationStatistics> relations;  //!< errors if there are relations
+  std::vector<std::string> remarks;             //!< remarks on the log, see LogReader
   RunTimes times;
 
   double scansPerSecond() const;
 };
 
-/** For people. */
+/** Prints the summary for people. */
 void printSummary(std::ostream& out, const RunSummary& summary);
 
-/** For programs: everything, with the options and the versions it was made by. */
+/** Writes the summary for programs, with all options and versions that produced it. */
 void writeSummaryJson(std::ostream& out, const RunSummary& summary, SlamOptions& options);
 }  // namespace psmks

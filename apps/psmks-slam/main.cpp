@@ -8,7 +8,8 @@ namespace psmks
 {
 namespace
 {
-/** Defaults, then the sensor's file, then the file, then the flags. */
+/** The options in the order of rising priority: the defaults, the file of the sensor, the file of
+ * options, the flags. */
 SlamOptions effectiveOptions(const CommandLine& commandLine)
 {
   SlamOptions options;

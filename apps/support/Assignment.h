@@ -8,16 +8,17 @@
 
 namespace psmks
 {
-/** An option as one writes it on a command line: "section.key=value". */
+/** An option as it is written on a command line: "section.key=value". */
 struct Assignment
 {
   std::string section, key, value;
 };
 
-/** @throws OptionError that quotes a text of another form */
+/** Splits the text of an option.
+ *  @throws OptionError if it has another form; the text quotes it */
 Assignment parseAssignment(const std::string& text);
 
-/** Sets one option after the other.
+/** Sets options one after the other.
  *  @throws OptionError for a text of another form, and as OptionTable::set() */
 void assignOptions(OptionTable& table, const std::vector<std::string>& assignments);
 }  // namespace psmks

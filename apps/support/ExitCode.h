@@ -7,13 +7,13 @@
 
 namespace psmks
 {
-/** What the programs return to the shell. */
+/** The exit codes of the programs. */
 enum ExitCode
 {
   kOk = 0,
   kUsage = 1,         //!< a flag, an option or a configuration that cannot be accepted
-  kInputDamaged = 2,  //!< input missing, unreadable or corrupt; what was readable is processed
-  kNothingToDo = 3,   //!< no usable scan, or no odometry where one is needed
+  kInputDamaged = 2,  //!< input is missing or damaged; what could be read is processed
+  kNothingToDo = 3,   //!< there is no usable scan, or no odometry although it is needed
   kEveryMatchFailed = 4
 };
 
@@ -29,7 +29,8 @@ class ProgramError : public std::runtime_error
   ExitCode exitCode;
 };
 
-/** Runs a program's work. What it throws becomes one sentence on stderr, and the exit code that it
- * carries or kUsage. */
+/** Runs the work of a program. An exception becomes one sentence on stderr.
+ *  @return what the work returns; after an exception the exit code of a ProgramError, else
+ *      kUsage */
 ExitCode exitCodeOf(const std::string& program, const std::function<ExitCode()>& work);
 }  // namespace psmks

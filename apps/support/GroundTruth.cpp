@@ -8,7 +8,8 @@ namespace psmks
 {
 namespace
 {
-/** What `read` returns for a file; the files that it refuses are damaged input. */
+/** Calls `read` for a file.
+ *  @throws ProgramError (kInputDamaged) if it refuses the file */
 template <class Read>
 auto readInput(const std::string& kind, const std::string& path, Read read)
 {
@@ -22,7 +23,7 @@ auto readInput(const std::string& kind, const std::string& path, Read read)
   }
 }
 
-/** X of "X.rawlog", "X.log" and "X.log.gz". */
+/** The name X of a log "X.rawlog", "X.log" or "X.log.gz". */
 std::string stemOf(const std::string& log)
 {
   std::filesystem::path path = log;

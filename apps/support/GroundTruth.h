@@ -10,20 +10,22 @@
 
 namespace psmks
 {
-/** The true trajectory of a log.
- *  @throws ProgramError (kInputDamaged) for a file that is missing or no trajectory */
+/** Reads the true trajectory of a log.
+ *  @throws ProgramError (kInputDamaged) if the file is missing or is not a trajectory */
 Trajectory readGroundTruth(const std::string& path);
 
-/** True motions between the poses of a log.
- *  @throws ProgramError (kInputDamaged) for a file that is missing or holds no relations */
+/** Reads true motions between the poses of a log.
+ *  @throws ProgramError (kInputDamaged) if the file is missing or has no relations */
 std::vector<Relation> readTrueRelations(const std::string& path);
 
-/** The ground truth that lies beside a log under a name that goes with it: of `X.rawlog`,
- * `X.log.gz` and the like those that psmks-simulate writes, `X.gt.tum` and `X.GT.txt`; a reference
- * of another program, `X.reference.tum`; those of MRPT's data sets, `X.rawlog.GT.txt` and
- * `X_GT.txt`, and that of carmen2rawlog, `X.gt.txt`. */
+/** Finds the ground truth of a log by its name, in the same folder. For `X.rawlog`, `X.log.gz` and
+ * the like these are the files of psmks-simulate, `X.gt.tum` and `X.GT.txt`; the reference of
+ * another program, `X.reference.tum`; those of the data sets of MRPT, `X.rawlog.GT.txt` and
+ * `X_GT.txt`; and that of carmen2rawlog, `X.gt.txt`.
+ *  @return nothing if there is no such file */
 std::optional<std::string> groundTruthBeside(const std::string& log);
 
-/** The relations that lie beside a log X: `X.relations`. */
+/** Finds the relations of a log X, `X.relations` in the same folder.
+ *  @return nothing if there is no such file */
 std::optional<std::string> relationsBeside(const std::string& log);
 }  // namespace psmks

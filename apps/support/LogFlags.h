@@ -13,11 +13,11 @@ class App;
 
 namespace psmks
 {
-/** The flags by which a user says how to read a log. */
+/** The flags that say how a log is read. */
 class LogFlags
 {
  public:
-  /** --sensor and --carmen-* */
+  /** Adds --sensor and the flags that begin with --carmen. */
   void addTo(CLI::App& app);
 
   LogOptions options() const;

@@ -11,7 +11,7 @@
 
 namespace psmks
 {
-/** A scan of a log, as TrajectoryBuilder takes it. */
+/** A scan of a log in the form that TrajectoryBuilder takes. */
 struct LogScan
 {
   Scan scan;
@@ -19,14 +19,15 @@ struct LogScan
   std::optional<Pose2> odometry;  //!< see LaserFrame
 };
 
-/** @param options of the mounting: a scan tilted further has no valid ray, a stated turn of the
- * beam goes before that of the log */
+/** Converts a scan of a log.
+ *  @param options of the mounting: the rays of a scan with a larger tilt become invalid, and a
+ *      stated time of a turn of the beam has priority over that of the log */
 LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter,
                   const ScanMatcherOptions& options);
 
-/** Whether any ray of the scan met anything. */
+/** Whether a ray of the scan has a return. */
 bool hasReturns(const Scan& scan);
 
-/** The scanners that were met so far, for people: "'FRONT' (12 scans), 'REAR' (3 scans)". */
+/** The scanners of the log so far, for people: "'FRONT' (12 scans), 'REAR' (3 scans)". */
 std::string quotedSensors(const LogReader& reader);
 }  // namespace psmks

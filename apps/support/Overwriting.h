@@ -8,8 +8,9 @@
 
 namespace psmks
 {
-/** @param overwrite whether a file that is there may be replaced
- *  @throws ProgramError naming a file that is there and may not */
+/** Checks that a file may be written.
+ *  @param overwrite whether an existing file may be replaced
+ *  @throws ProgramError naming a file that exists and may not be replaced */
 inline void requireReplaceable(const std::string& path, bool overwrite)
 {
   if (!overwrite && std::filesystem::exists(path))

@@ -8,8 +8,8 @@ namespace psmks
 {
 namespace
 {
-constexpr int kBarWidth = 40;              // characters
-constexpr std::size_t kSurroundings = 10;  // characters beside task and bar
+constexpr int kBarWidth = 40;              // in characters
+constexpr std::size_t kSurroundings = 10;  // characters of the line besides the task and the bar
 }  // namespace
 
 Progress::Progress(std::string task) : task_(std::move(task)), terminal_(isatty(STDERR_FILENO) != 0)

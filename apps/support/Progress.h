@@ -5,18 +5,18 @@
 
 namespace psmks
 {
-/** A bar on stderr that says how far the work is; silent where stderr is no terminal. */
+/** A progress bar on stderr. Nothing is shown if stderr is not a terminal. */
 class Progress
 {
  public:
   explicit Progress(std::string task);
 
-  /** Clears the line. */
+  /** Clears the line of the bar. */
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /** @param share 0 to 1 */
+  /** Shows a share of the work, 0 to 1. */
   void show(double share);
 
  private:

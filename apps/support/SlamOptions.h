@@ -7,25 +7,28 @@
 
 namespace psmks
 {
-/** Every option of psmks-slam. In files, matching stands in the sections [psmks.<stage>], the rest
- * in [slam.<stage>]; on the command line a stage is enough. */
+/** All options of psmks-slam. In files, the options of matching are in sections [psmks.<stage>],
+ * the other ones in [slam.<stage>]. On the command line the stage is enough. */
 struct SlamOptions : ObservationSlamOptions
 {
-  /** @throws OptionError for a file that is missing or holds none of our sections, and for what
-   *  loadOptions() refuses */
+  /** Reads options from an ini file.
+   *  @throws OptionError if the file is missing, has none of these sections, or for what
+   *      loadOptions() refuses */
   void load(const std::string& path);
 
-  /** @param assignment "stage.key=value"
-   *  @throws OptionError */
+  /** Sets one option.
+   *  @param assignment "stage.key=value"
+   *  @throws OptionError if it has another form, or for an unknown option or a value that it
+   *      does not accept */
   void set(const std::string& assignment);
 
-  /** All of them, as load() reads them. */
+  /** All options as the text of a file that load() reads. */
   std::string toIni();
 
-  /** What they mean: a table for every section. */
+  /** The meaning of all options, with a table for each section. */
   std::string toMarkdown();
 
-  /** One list for all stages. */
+  /** The options of all stages. */
   std::vector<OptionField> fields();
 };
 }  // namespace psmks

@@ -15,31 +15,33 @@ class App;
 
 namespace psmks
 {
-/** Opens a file for writing.
- *  @throws CLI::ValidationError naming the flag where it cannot be created */
+/** Creates a file for writing.
+ *  @param flag that named the file
+ *  @throws CLI::ValidationError naming the flag if the file cannot be created */
 std::ofstream createFile(const std::string& flag, const std::string& path);
 
-/** What the numbers of tables depend on besides the input. */
+/** What the numbers of tables depend on besides the input, such as the machine. */
 struct TableOrigin
 {
-  std::string key;   //!< for programs: "machine"
-  std::string line;  //!< for people
+  std::string key;   //!< name for programs, such as "machine"
+  std::string line;  //!< text for people
   std::vector<std::pair<std::string, std::string>> fields;
 };
 
-/** The files into which a program writes its tables. */
+/** The files that a program writes its tables to. */
 class TableFiles
 {
  public:
-  /** --csv, --json and --markdown */
+  /** Adds --csv, --json and --markdown. */
   void addFlags(CLI::App& command);
 
-  /** Creates the files, so that a mistyped path is reported before the work is done.
-   *  @throws CLI::ValidationError naming the flag */
+  /** Creates the files now, so that a mistyped path is reported before the work is done.
+   *  @throws CLI::ValidationError naming the flag of a file that cannot be created */
   void open();
 
-  /** @param tables all with the same columns
-   *  @param origin null where the input alone counts */
+  /** Writes tables to all files.
+   *  @param tables all with the same columns
+   *  @param origin null if the numbers depend on the input alone */
   void save(const std::vector<Table>& tables, const TableOrigin* origin = nullptr);
 
  private:

@@ -10,17 +10,17 @@
 
 namespace psmks
 {
-/** What is drawn of a simulated drive; all but the world may be empty. */
+/** The content of a picture of a simulated drive. All except the world may be empty. */
 struct WorldPicture
 {
   std::string title;  //!< first line of the legend
   World world;
-  Route route;              //!< to be followed
-  std::vector<Pose2> path;  //!< driven in truth
+  Route route;              //!< the route to follow
+  std::vector<Pose2> path;  //!< the true path
 };
 
-/** Draws walls and points dark, moving objects with their paths, route, driven path, a bar for the
- * scale and a legend. North-up: x to the right, y up; the scale is that of saveMapPicture().
- *  @return false where the file cannot be written or there is nothing to draw */
+/** Draws walls and points dark, the moving objects with their paths, the route, the driven path, a
+ * bar for the scale and a legend. For directions and resolution see MapSheet.
+ *  @return false if the file cannot be written or there is nothing to draw */
 bool saveWorldPicture(const WorldPicture& picture, const std::string& path);
 }  // namespace psmks

@@ -12,16 +12,16 @@
 
 namespace psmks
 {
-/** How far from the truth the guesses are: every distance with every rotation. */
+/** The distances and rotations of the guesses from the truth. All combinations are used. */
 struct ConvergenceGrid
 {
   std::vector<double> distances_m;
   std::vector<double> rotations_rad;
 
-  /** So many steps each, evenly from 0 to the largest. */
+  /** A grid with a number of steps on each axis, evenly spaced from 0 to the largest value. */
   static ConvergenceGrid even(double maxDistance_m, double maxRotation_rad, int steps);
 
-  // Where nothing else is said.
+  // Defaults of the command line.
   static constexpr double kMaxDistance_m = 1.5;
   static constexpr double kMaxRotation_deg = 60;
   static constexpr int kSteps = 7;
@@ -34,23 +34,24 @@ struct ConvergenceOptions
                             degToRad(ConvergenceGrid::kMaxRotation_deg), ConvergenceGrid::kSteps);
   std::vector<std::string> matchers;
   MatcherOptions matcherOptions;
-  unsigned seed = 1;  //!< of the directions
+  unsigned seed = 1;  //!< seed of the random directions
 };
 
-/** The area of convergence of a matcher: the share of successes (see isSuccess()) in each cell. */
+/** The area of convergence of a matcher: the share of successes (isSuccess()) for each cell of the
+ * grid. */
 struct ConvergenceMap
 {
   std::string matcher;
   Eigen::MatrixXd successShare;  //!< rotations x distances
 };
 
-/** Every matcher on every pair from guesses in every cell of the grid: the truth, moved by the
- * distance in a random direction and turned by the rotation, this or that way round at random. A
- * guess is a starting point without covariance, and the same for every matcher.
+/** Runs all matchers on all pairs from guesses in all cells of the grid. A guess is the truth,
+ * moved by the distance in a random direction and turned by the rotation to a random side. It has
+ * no covariance and is the same for all matchers.
  *
  * @param pairs at least one
- * @param progress called with the share that is done, 0 to 1
- * @return one map a matcher
+ * @param progress called with the share of the work that is done, 0 to 1
+ * @return a map for each matcher
  * @throws OptionError for a matcher that does not exist or options that it does not accept */
 std::vector<ConvergenceMap> measureConvergence(const std::vector<ScanPair>& pairs,
                                                const ConvergenceOptions& options,

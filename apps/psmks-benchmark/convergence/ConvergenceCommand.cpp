@@ -70,7 +70,7 @@ void ConvergenceCommand::write()
   if (html_.is_open()) html_ << page(tables);
 }
 
-/** One a matcher, all sets beside each other. */
+/** Saves a picture for each matcher, with all sets side by side. */
 void ConvergenceCommand::savePictures()
 {
   for (std::size_t m = 0; m < options_.matchers.size(); ++m)

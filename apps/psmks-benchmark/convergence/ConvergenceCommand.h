@@ -15,14 +15,14 @@
 
 namespace psmks
 {
-/** `psmks-benchmark convergence SET...`: success of matchers over the distance of the guess from
- * the truth, as tables and as one picture a matcher. */
+/** The command `psmks-benchmark convergence SET...`: the success of matchers over the distance of
+ * the guess from the truth, as tables and as a picture for each matcher. */
 class ConvergenceCommand
 {
  public:
   explicit ConvergenceCommand(CLI::App& app);
 
-  /** @return the program's exit code
+  /** Does the work.
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
   ExitCode run();
 
@@ -30,7 +30,7 @@ class ConvergenceCommand
   struct SetResult
   {
     std::string title;
-    std::vector<ConvergenceMap> maps;  //!< one a matcher
+    std::vector<ConvergenceMap> maps;  //!< one for each matcher
   };
 
   void measure(const PairsInput& input);

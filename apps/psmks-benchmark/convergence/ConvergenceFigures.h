@@ -11,15 +11,17 @@
 
 namespace psmks
 {
-/** Success in percent: a row for each matcher and rotation, a column for each distance. */
+/** The successes in percent, with a row for each matcher and rotation and a column for each
+ * distance. */
 Table convergenceTable(const std::string& title, const ConvergenceGrid& grid,
                        const std::vector<ConvergenceMap>& maps);
 
-/** Success in percent over distance and rotation; the title says the mean of all cells, too. */
+/** The successes in percent over distance and rotation. The title also has the mean of all cells.
+ */
 HeatMap convergencePicture(const std::string& title, const ConvergenceGrid& grid,
                            const ConvergenceMap& map);
 
-/** A picture for each matcher, named by it. */
+/** A picture for each matcher, with the name of the matcher as its title. */
 std::vector<Panel> convergencePictures(const ConvergenceGrid& grid,
                                        const std::vector<ConvergenceMap>& maps);
 }  // namespace psmks

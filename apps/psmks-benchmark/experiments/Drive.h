@@ -9,7 +9,7 @@
 
 namespace psmks
 {
-/** Which drive an experiment is made on. */
+/** The choice of a drive for an experiment. */
 struct DrivePlan
 {
   std::string site;  //!< see makeSite()
@@ -18,7 +18,7 @@ struct DrivePlan
   double duration_s = 600;
 };
 
-/** A drive in a simulated world: the same for every method. */
+/** A drive in a simulated world, which is the same for all methods. */
 struct Drive
 {
   DrivePlan plan;
@@ -27,6 +27,7 @@ struct Drive
   Recording recording;
 };
 
-/** Along the route where the site has one, else wherever the Area Center driver goes. */
+/** Simulates a drive. The robot follows the route of the site; if there is none, the Area Center
+ * driver steers. */
 Drive makeDrive(const DrivePlan& plan, const std::function<void(double)>& progress = nullptr);
 }  // namespace psmks

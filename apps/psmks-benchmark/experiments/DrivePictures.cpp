@@ -42,7 +42,7 @@ ChartSeries pathOf(const std::string& name, const std::vector<Pose2>& poses)
   return series;
 }
 
-/** Of every scan, over the way driven until then. */
+/** The errors of all scans over the distance driven. */
 ChartSeries errorsOf(const std::string& name, const std::vector<Pose2>& poses,
                      const std::vector<Pose2>& truth, const ErrorOf& error)
 {
@@ -84,8 +84,8 @@ Chart pathChart(const Drive& drive, const std::vector<MethodRun>& runs)
   return chart;
 }
 
-/** As high as the largest error of a method of psmks: those of odometry and ICP may leave the
- * chart. */
+/** The height of the chart is the largest error of the methods of psmks, so errors of odometry and
+ * ICP may exceed it. */
 Chart errorChart(const Drive& drive, const std::vector<MethodRun>& runs, const std::string& title,
                  const std::string& label, const ErrorOf& error)
 {

@@ -18,10 +18,10 @@ namespace
 constexpr double kSecondsPerMinute = 60;
 constexpr double kLongRange_m = 30;
 
-// Roaming drives, at every range asked for.
+// Worlds of drives by the Area Center driver, with all maximum ranges of the command line.
 const std::vector<std::string> kRoamed{"room", "clutter", "curved", "corridors"};
 
-// Drives along a route, at the long range.
+// Worlds of drives along a route, with the long maximum range.
 const std::vector<std::string> kDriven{"office", "campus"};
 
 const std::string kDefaultFolder = "docs";
@@ -140,7 +140,7 @@ DriveResult ExperimentsCommand::measure(const DrivePlan& plan)
   return summarise(drive, runs);
 }
 
-/** The first drive of each world. */
+/** Pictures are made of the first drive in each world. */
 bool ExperimentsCommand::isPictured(const DrivePlan& plan) const
 {
   return pictures_ && plan.seed == firstSeed_ && plan.maxRange_m == kLongRange_m;

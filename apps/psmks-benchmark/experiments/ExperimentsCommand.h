@@ -14,13 +14,14 @@
 
 namespace psmks
 {
-/** `psmks-benchmark experiments`: the paper's experiments on simulated drives. */
+/** The command `psmks-benchmark experiments`, which repeats the paper's experiments on simulated
+ * drives. */
 class ExperimentsCommand
 {
  public:
   explicit ExperimentsCommand(CLI::App& app);
 
-  /** @return the program's exit code
+  /** Does the work.
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
   ExitCode run();
 

@@ -9,19 +9,20 @@
 
 namespace psmks
 {
-/** A way to follow a robot: a matcher and what it is matched against. */
+/** A method of following a robot: a matcher and a policy of reference scans. */
 struct Method
 {
-  std::string name;     //!< for tables: "joint keyframe"
-  std::string key;      //!< for programs: "joint-keyframe"
+  std::string name;     //!< name in tables, such as "joint keyframe"
+  std::string key;      //!< name for programs, such as "joint-keyframe"
   std::string matcher;  //!< see makePairMatcher()
   ReferenceOptions reference;
 };
 
-/** Scan matching to the paper's letter: each match a trigger away from the last, no second try. */
+/** Scan matching exactly as in the paper: a match each time the robot has moved far enough, without
+ * a second attempt. */
 Method paperMethod();
 
-/** All that the experiments compare: the paper's, ours with every policy, and MRPT's ICP. Odometry
- * is no method: every table holds it. */
+/** All methods that the experiments compare: that of the paper, ours with all policies, and MRPT's
+ * ICP. Odometry is not one of them, for all tables have it. */
 std::vector<Method> experimentMethods();
 }  // namespace psmks

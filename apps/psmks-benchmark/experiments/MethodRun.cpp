@@ -38,7 +38,7 @@ Pose2 trueMotion(const Recording& recording, std::size_t from, std::size_t to)
   return recording.scans[from].T_world_robot.inverse() * recording.scans[to].T_world_robot;
 }
 
-/** Fills in the trajectory, and where each scan was thought to be when it came. */
+/** Computes the trajectory, and the pose of each scan when it was added. */
 void follow(const Recording& recording, TrajectoryBuilder& builder,
             std::vector<Pose2>& T_world_robot)
 {
@@ -55,7 +55,7 @@ void follow(const Recording& recording, TrajectoryBuilder& builder,
   builder.optimise();
 }
 
-/** What each scan hung on when it came. */
+/** The scans that each scan was matched against. */
 std::vector<DriftBoundStep> driftBoundSteps(const std::vector<PosedScan>& scans)
 {
   std::vector<DriftBoundStep> steps(scans.size());

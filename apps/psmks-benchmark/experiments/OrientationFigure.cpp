@@ -19,22 +19,23 @@ constexpr double kMinClearance_m = 0.5;
 constexpr double kMaxRange_m = 30;
 constexpr double kRange_rad = degToRad(20);
 constexpr double kStep_rad = degToRad(0.2);
-constexpr int kSteps = 100;  // of kStep_rad, to either side
+constexpr int kSteps = 100;  // steps of kStep_rad to either side
 
-// A match of a run: the robot has moved and turned so far at most.
+// Largest motion between the two scans of a pair.
 constexpr double kMaxShift_m = 0.8, kMaxTurn_rad = degToRad(20);
 
-/** Farther rays are no partners in the original PSM, which knows no segments. */
+/** The original PSM has no segments. It pairs rays whose ranges differ by less than this. */
 constexpr double kOpenGate_m = 1.0;
 
-/** Exact scans, segmented. */
+/** Two segmented scans without noise. */
 struct ExactPair
 {
   SegmentedScan reference, current;
   Pose2 T_ref_cur;
 };
 
-/** An error over the heading: degrees from the true heading, error. */
+/** An error over the heading. A point is the difference from the true heading in degrees and the
+ * error. */
 using Curve = std::vector<Eigen::Vector2d>;
 
 class PairCaster
@@ -83,7 +84,9 @@ class PairCaster
   MatcherWorkspace workspace_;
 };
 
-/** The paper's search at the true position: its curve, and how far from the truth it ends. */
+/** The search of the paper at the true position.
+ *  @param[out] curve its errors
+ *  @return the error of the heading that it finds */
 double searchSimilar(const ExactPair& pair, Curve& curve)
 {
   PaperOptions options = MatcherOptions::paperScheme().paper;
@@ -103,8 +106,8 @@ double searchSimilar(const ExactPair& pair, Curve& curve)
   return std::abs(wrapAngle(minimum.phi_rad - pair.T_ref_cur.phi_rad));
 }
 
-/** The reference range at a bearing between two rays; 0 where one of them has none. Along a line
- * 1 / range is a cosine of the bearing: linear over so little. */
+/** The reference range at a bearing between two rays; 0 if one of them has no range. Along a line 1
+ * / range is a cosine of the bearing, which is linear over so small an angle. */
 double referenceRange_m(const SegmentedScan& reference, double index)
 {
   const auto below = static_cast<int>(std::floor(index));
@@ -115,13 +118,13 @@ double referenceRange_m(const SegmentedScan& reference, double index)
   return 1 / ((1 - share) / reference.range_m[i] + share / reference.range_m[i + 1]);
 }
 
-/** Means over the rays at one heading. */
+/** Mean errors over the rays at one heading. */
 struct RayErrors
 {
   double absolute_m = 0, squared_m2 = 0;
 };
 
-/** Every current ray against the reference ray at its bearing, whatever both have met. */
+/** Compares each current ray with the reference ray at its bearing, whatever surfaces they met. */
 RayErrors compareRays(const ExactPair& pair, const Pose2& T_ref_cur)
 {
   RayErrors sum;
@@ -141,7 +144,7 @@ RayErrors compareRays(const ExactPair& pair, const Pose2& T_ref_cur)
   return {sum.absolute_m / rays, sum.squared_m2 / rays};
 }
 
-/** The original PSM's search without its tests for occlusion. */
+/** The search of the original PSM without its tests for occlusion. */
 struct RaySearch
 {
   Curve absolute, squared;
@@ -159,7 +162,7 @@ struct RaySearch
   }
 };
 
-/** How far from the truth a curve is smallest. */
+/** The distance of the minimum of a curve from the true heading. */
 double miss_rad(const Curve& curve)
 {
   const auto lower = [](const auto& a, const auto& b) { return a.y() < b.y(); };
@@ -172,7 +175,7 @@ void count(OrientationExperiment::Misses& misses, double miss_rad)
   misses.max_rad = std::max(misses.max_rad, miss_rad);
 }
 
-/** A curve whose largest value is 1: errors of different units side by side. */
+/** A curve scaled to a maximum of 1, so that errors of different units can be compared. */
 ChartSeries scaled(const std::string& name, Curve points)
 {
   double largest = 0;
@@ -197,7 +200,7 @@ Chart chart(const std::string& title, const ExactPair& pair)
   return chart;
 }
 
-/** The pairs for the figure: those whose rays fit best and worst at the truth. */
+/** Finds the pairs for the figure: those whose rays agree best and worst at the truth. */
 class Extremes
 {
  public:

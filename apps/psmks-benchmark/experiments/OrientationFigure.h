@@ -5,15 +5,15 @@
 
 namespace psmks
 {
-/** What bad associations do to the orientation search, on exact scans from true positions: the
- * paper's Fig. 1 (c) and (d). */
+/** The effect of wrong associations on the orientation search, on scans without noise from true
+ * positions: Fig. 1 (c) and (d) of the paper. */
 struct OrientationExperiment
 {
-  /** The error over the heading for two pairs of scans: one without bad associations and the one
-   * with most of them. */
+  /** The errors over the heading for two pairs of scans: one without wrong associations, and the
+   * one with the most. */
   Figure figure;
 
-  /** How far from the true heading searches over 20 degrees to either side end. */
+  /** The errors of the headings that searches over 20 degrees to either side find. */
   struct Misses
   {
     double mean_rad = 0;
@@ -21,9 +21,9 @@ struct OrientationExperiment
   };
 
   int pairs = 0;
-  Misses similar;   //!< the paper's search: similar segments, matching error
-  Misses absolute;  //!< every ray with the one at its bearing within 1 m, absolute error
-  Misses squared;   //!< the same, squared error
+  Misses similar;   //!< the search of the paper: similar segments, matching error
+  Misses absolute;  //!< each ray with the one at its bearing within 1 m, absolute error
+  Misses squared;   //!< the same pairs of rays, squared error
 };
 
 /** Casts pairs of scans in a cluttered room and searches the heading of each. */

@@ -6,8 +6,8 @@
 
 namespace psmks
 {
-/** What the paper reports of a kind of world (its Tables 1 and 2): means over five drives of ten
- * minutes on the authors' own maps, which are not public. */
+/** The results of the paper for a kind of world (Tables 1 and 2): means over five drives of ten
+ * minutes on maps of the authors, which are not public. */
 struct PaperFigures
 {
   char map;  //!< its letter in the paper
@@ -19,6 +19,6 @@ struct PaperFigures
   double timesBetterHeading() const { return odometryDrift_deg / drift_deg; }
 };
 
-/** None for worlds of which the paper reports no numbers. */
+/** The results of the paper for a site; nothing if the paper has none. */
 std::optional<PaperFigures> paperFigures(const std::string& site);
 }  // namespace psmks

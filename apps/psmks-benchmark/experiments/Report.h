@@ -10,8 +10,8 @@
 
 namespace psmks
 {
-/** The experiments as a Markdown page: what was done, the tables, the pictures.
- *  @param machine what the times depend on */
+/** Writes the experiments as a Markdown page with a description, the tables and the pictures.
+ *  @param machine that the times were measured on */
 void writeReport(std::ostream& out, const std::vector<DriveResult>& results,
                  const std::vector<Picture>& pictures, const std::string& machine);
 }  // namespace psmks

@@ -21,7 +21,7 @@ std::string number(double value, int decimals)
   return text;
 }
 
-/** "4.1 (3.2 to 5.0)", in a unit. */
+/** A spread as text in a unit: "4.1 (3.2 to 5.0)". */
 std::string cell(const Spread& s, int decimals, double unit = 1)
 {
   const std::string centre = number(s.mean * unit, decimals);
@@ -30,13 +30,14 @@ std::string cell(const Spread& s, int decimals, double unit = 1)
          number(s.largest * unit, decimals) + ")";
 }
 
-/** Of the first method: every method of a group has the same drives. */
+/** The methods of a group. They are those of its first drive, for all drives of a group have the
+ * same ones. */
 const std::vector<std::pair<Method, MethodFigures>>& methodsOf(const ResultGroup& group)
 {
   return group.drives.front().methods;
 }
 
-/** "room (a)" */
+/** The name of a site with its letter in the paper: "room (a)". */
 std::string siteName(const ResultGroup& group)
 {
   const auto paper = paperFigures(group.site);
@@ -56,13 +57,14 @@ double odometry_deg(const MethodFigures& f) { return radToDeg(f.odometryDrift.me
 double lowestDrift_m(const MethodFigures& f) { return f.boundDrift.mean_m; }
 double lowestDrift_deg(const MethodFigures& f) { return radToDeg(f.boundDrift.mean_rad); }
 
-/** In position and in heading. */
+/** Whether the mean errors of both position and heading are smaller. */
 bool isBetter(const DriftFigures& a, const DriftFigures& b)
 {
   return a.mean_m < b.mean_m && a.mean_rad < b.mean_rad;
 }
 
-/** "10 of 10" drives in which a method beats what the other function names. */
+/** The number of drives in which a method is better than a rival, such as "10 of 10".
+ *  @param rival gives the drift to compare with; null if a drive has none */
 std::string drivesWon(const ResultGroup& group, const std::string& key,
                       const std::function<const DriftFigures*(const DriveResult&)>& rival)
 {
@@ -126,7 +128,8 @@ std::vector<Table::Cell> driftRowOfPaper(const ResultGroup& group, const PaperFi
           paper.timesBetterHeading()};
 }
 
-/** How often a method failed, said so, or was wrong without saying so, and how it compares. */
+/** The counts of failures, of unobservable directions and of errors without a flag, and the
+ * comparison with odometry and with the scheme of the paper. */
 std::vector<Table::Cell> reliabilityRow(const ResultGroup& group, const Method& method)
 {
   const std::string& key = method.key;

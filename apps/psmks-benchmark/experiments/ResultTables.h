@@ -8,18 +8,20 @@
 
 namespace psmks
 {
-/** How far the driver came, how often it turned, stood or bumped, and how odometry drifts. */
+/** The drives: their lengths, turns, collisions and standstills, and the drift of odometry. */
 Table driveTable(const std::vector<ResultGroup>& groups);
 
-/** The paper's Table 1: matches, way, turns and times, beside the paper's own. */
+/** Table 1 of the paper with numbers of matches and times, beside the values of the paper. */
 Table workTable(const std::vector<ResultGroup>& groups);
 
-/** The paper's Table 2 as means over the drives, beside odometry, the drift floor and the paper. */
+/** Table 2 of the paper as means over the drives, beside odometry, the bound of the drift and the
+ * values of the paper. */
 Table driftTable(const std::vector<ResultGroup>& groups);
 
-/** Whether a method can be relied on: failures, flags, silent errors, drives won. */
+/** The reliability of the methods: failures, flags, silent errors, drives in which they are better
+ * than others. */
 Table reliabilityTable(const std::vector<ResultGroup>& groups);
 
-/** One row a drive and method. */
+/** A table with a row for each drive and method. */
 Table runTable(const std::vector<DriveResult>& results);
 }  // namespace psmks

@@ -9,21 +9,21 @@
 
 namespace psmks
 {
-/** Every method on one drive. */
+/** The results of all methods on one drive. */
 struct DriveResult
 {
   DrivePlan plan;
   double distance_m = 0, turns = 0, longestStandstill_s = 0;
   int collisions = 0;
-  std::vector<std::pair<Method, MethodFigures>> methods;  //!< in the order they were asked for
+  std::vector<std::pair<Method, MethodFigures>> methods;  //!< in the order of the command line
 
-  /** Null where the method was not run. */
+  /** The result of a method; null if it was not run. */
   const MethodFigures* find(const std::string& methodKey) const;
 };
 
 DriveResult summarise(const Drive& drive, const std::vector<MethodRun>& runs);
 
-/** The drives of one kind of world and one range of the laser. */
+/** The drives in one kind of world with one maximum range of the laser. */
 struct ResultGroup
 {
   std::string site;
@@ -31,16 +31,16 @@ struct ResultGroup
   std::vector<DriveResult> drives;
 };
 
-/** In the order of their first drives. */
+/** Groups drives, in the order of their first drives. */
 std::vector<ResultGroup> grouped(const std::vector<DriveResult>& results);
 
-/** Mean and range of a figure over drives. */
+/** The mean and the range of a value over drives. */
 struct Spread
 {
   double mean = 0, smallest = 0, largest = 0;
 };
 
-/** Of the drives that ran the method. */
+/** The spread over the drives on which the method was run. */
 Spread spread(const ResultGroup& group, const std::string& methodKey,
               const std::function<double(const MethodFigures&)>& figure);
 

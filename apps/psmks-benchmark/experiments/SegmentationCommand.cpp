@@ -11,7 +11,7 @@ namespace psmks
 {
 namespace
 {
-constexpr double kMinClearance_m = 0.5;  // of the scanner from the walls
+constexpr double kMinClearance_m = 0.5;  // least distance of the scanner from the walls
 constexpr double kPercent = 100;
 constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kMicrosecondsPerSecond = 1e6;

@@ -12,14 +12,14 @@
 
 namespace psmks
 {
-/** `psmks-benchmark segmentation`: Kalman Segmentation of simulated scans held against the walls
- *  that the rays met. */
+/** The command `psmks-benchmark segmentation`, which compares the Kalman segmentation of simulated
+ * scans with the true walls. */
 class SegmentationCommand
 {
  public:
   explicit SegmentationCommand(CLI::App& app);
 
-  /** @return the program's exit code */
+  /** Does the work. */
   ExitCode run();
 
  private:

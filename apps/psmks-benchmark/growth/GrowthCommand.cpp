@@ -11,7 +11,7 @@ namespace psmks
 namespace
 {
 constexpr double kMillisecondsPerSecond = 1e3;
-constexpr int kLeastRays = 19;  // over 180 degrees: below, a room is not to be seen
+constexpr int kLeastRays = 19;  // over 180 degrees; fewer rays do not show a room
 
 Chart growthChart(const std::vector<GrowthRun>& runs)
 {

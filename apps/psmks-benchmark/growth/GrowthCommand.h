@@ -10,13 +10,14 @@
 
 namespace psmks
 {
-/** `psmks-benchmark growth`: how the time of a match grows with the rays of the scans. */
+/** The command `psmks-benchmark growth`, which measures how the time of a match grows with the
+ * number of rays. */
 class GrowthCommand
 {
  public:
   explicit GrowthCommand(CLI::App& app);
 
-  /** @return the program's exit code
+  /** Does the work.
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
   ExitCode run();
 

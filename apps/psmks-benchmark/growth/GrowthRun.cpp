@@ -16,32 +16,32 @@ constexpr double kMillisecondsPerSecond = 1e3;
 constexpr double kFieldOfView_rad = kPi;
 constexpr const char* kFamily = "L180_medium";
 
-/** The pairs of one number of rays, and the smallest time of each matcher on each. */
-struct Rung
+/** The pairs with one number of rays, and the smallest time of each matcher on each pair. */
+struct RayCountStep
 {
   std::vector<ScanPair> pairs;
-  std::vector<std::vector<double>> time_s;  //!< by matcher, by pair
+  std::vector<std::vector<double>> time_s;  //!< for each matcher a time for each pair
 };
 
-Rung makeRung(int rays, const GrowthOptions& options)
+RayCountStep makeStep(int rays, const GrowthOptions& options)
 {
   PairFamily family = pairFamily(kFamily);
   family.laser.grid = BeamGrid::centered(kFieldOfView_rad, rays);
-  Rung rung;
-  rung.pairs = scanPairs(makePairSet(family, options.seed, options.pairs));
-  const std::vector<double> untimed(rung.pairs.size(), std::numeric_limits<double>::infinity());
-  rung.time_s.assign(options.matchers.size(), untimed);
-  return rung;
+  RayCountStep step;
+  step.pairs = scanPairs(makePairSet(family, options.seed, options.pairs));
+  const std::vector<double> untimed(step.pairs.size(), std::numeric_limits<double>::infinity());
+  step.time_s.assign(options.matchers.size(), untimed);
+  return step;
 }
 
-void climb(Rung& rung, const PairsBenchmarkOptions& options,
-           const std::function<void(double)>& progress)
+void measure(RayCountStep& step, const PairsBenchmarkOptions& options,
+             const std::function<void(double)>& progress)
 {
   const std::vector<PairsRun> runs =
-      runPairs(rung.pairs, {zeroGuesses(rung.pairs)}, options, progress);
+      runPairs(step.pairs, {zeroGuesses(step.pairs)}, options, progress);
   for (std::size_t m = 0; m < runs.size(); ++m)
-    for (std::size_t p = 0; p < rung.pairs.size(); ++p)
-      rung.time_s[m][p] = std::min(rung.time_s[m][p], runs[m].records[p].time_s);
+    for (std::size_t p = 0; p < step.pairs.size(); ++p)
+      step.time_s[m][p] = std::min(step.time_s[m][p], runs[m].records[p].time_s);
 }
 
 PairsBenchmarkOptions onceEach(const GrowthOptions& options)
@@ -66,16 +66,16 @@ double GrowthRun::exponent() const
 std::vector<GrowthRun> runGrowth(const GrowthOptions& options,
                                  const std::function<void(double)>& progress)
 {
-  std::vector<Rung> rungs;
-  for (const int rays : options.rays) rungs.push_back(makeRung(rays, options));
+  std::vector<RayCountStep> steps;
+  for (const int rays : options.rays) steps.push_back(makeStep(rays, options));
 
   const PairsBenchmarkOptions once = onceEach(options);
-  const double total = static_cast<double>(rungs.size()) * options.repeats;
+  const double total = static_cast<double>(steps.size()) * options.repeats;
   double done = 0;
   for (int repeat = 0; repeat < options.repeats; ++repeat)
-    for (auto& rung : rungs)
+    for (auto& step : steps)
     {
-      climb(rung, once, [&](double share) { progress((done + share) / total); });
+      measure(step, once, [&](double share) { progress((done + share) / total); });
       ++done;
     }
 
@@ -83,7 +83,7 @@ std::vector<GrowthRun> runGrowth(const GrowthOptions& options,
   for (std::size_t m = 0; m < options.matchers.size(); ++m)
   {
     runs.push_back({options.matchers[m], options.rays, {}});
-    for (const auto& rung : rungs) runs.back().median_s.push_back(median(rung.time_s[m]));
+    for (const auto& step : steps) runs.back().median_s.push_back(median(step.time_s[m]));
   }
   return runs;
 }

@@ -20,29 +20,32 @@ struct GrowthOptions
   MatcherOptions matcherOptions;
 };
 
-/** How the time of a matcher grows with the rays of the scans. */
+/** The growth of the time of a matcher with the number of rays. */
 struct GrowthRun
 {
   std::string matcher;
   std::vector<int> rays;
-  std::vector<double> median_s;  //!< of a match, for each number of rays
+  std::vector<double> median_s;  //!< median time of a match for each number of rays
 
-  /** Slope of log time over log rays by least squares: 1 = linear. NaN for less than two numbers of
-   * rays. */
+  /** The slope of log time over log rays by least squares: 1 if the growth is linear. NaN for fewer
+   * than two numbers of rays. */
   double exponent() const;
 };
 
-/** Every matcher on the same pairs of places, from a zero guess, seen with ever more rays over 180
- * degrees: medium displacements in generated office floors, range noise 1 cm.
+/** Runs all matchers from a zero guess on the same pairs of places with increasing numbers of rays
+ * over 180 degrees. Displacements are medium, worlds are generated office floors, and the range
+ * noise is 1 cm.
  *
- * Interleaved: for each repeat, for each number of rays, for each pair, each matcher in turn. The
- * time of a pair is the smallest of its repeats, from the raw scans to the result.
+ * The order is interleaved: for each repeat, for each number of rays, for each pair, all matchers
+ * run in turn. The time of a match is measured from the raw scans to the result, and the smallest
+ * one of the repeats counts.
  *
- *  @param progress called with the share that is done, 0 to 1
+ *  @param progress called with the share of the work that is done, 0 to 1
  *  @throws OptionError for a matcher that does not exist or options that it does not accept */
 std::vector<GrowthRun> runGrowth(const GrowthOptions& options,
                                  const std::function<void(double)>& progress);
 
-/** A row for each matcher: its exponent, and its median time for each number of rays. */
+/** A table with a row for each matcher: its exponent and its median time for each number of rays.
+ */
 Table growthTable(const std::vector<GrowthRun>& runs);
 }  // namespace psmks

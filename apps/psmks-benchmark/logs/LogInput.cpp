@@ -17,14 +17,14 @@ bool isUsable(const std::vector<LogScan>& scans)
                      [](const LogScan& scan) { return hasReturns(scan.scan); });
 }
 
-/** The name of a file without its endings. */
+/** The name of a file without its extensions. */
 std::string titleOf(const std::filesystem::path& path)
 {
   const std::filesystem::path name = path.extension() == ".gz" ? path.stem() : path.filename();
   return name.stem().string();
 }
 
-/** The path of a flag, or what lies beside the log. */
+/** The path that a flag names, else the one beside the log. */
 std::optional<std::string> chosen(const std::string& flag, const std::optional<std::string>& beside)
 {
   return flag.empty() ? beside : std::make_optional(flag);

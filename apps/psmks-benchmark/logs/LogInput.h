@@ -12,34 +12,35 @@
 
 namespace psmks
 {
-/** A log that every matcher is run on. */
+/** A log with what is known of its truth. */
 struct Log
 {
   std::string title;
   std::vector<LogScan> scans;
   std::optional<Trajectory> groundTruth;
-  std::vector<Relation> relations;  //!< empty where there are none
+  std::vector<Relation> relations;  //!< empty if there are none
 };
 
-/** The logs of a command line, with what is known of the truth. */
+/** The logs of a command line. */
 class LogInput
 {
  public:
-  /** LOG, which scans of it, and how to read them. */
+  /** Adds the argument LOG and the flags that choose its scans and say how it is read. */
   void addLogFlags(CLI::App& app);
 
   void addGroundTruthFlag(CLI::App& app);
   void addRelationsFlag(CLI::App& app);
 
-  /** @throws CLI::ValidationError for a truth of several logs */
+  /** @throws CLI::ValidationError if a truth is given together with several logs */
   void check() const;
 
-  /** Those of the logs that hold a usable scan; what is wrong with the others is said on stderr.
+  /** Reads the logs and returns those with a usable scan. What is wrong with the other ones is
+   * reported on stderr.
    *  @param options of the mounting, see toLogScan()
-   *  @throws ProgramError for a truth that cannot be read */
+   *  @throws ProgramError if a truth cannot be read */
   std::vector<Log> read(const ScanMatcherOptions& options);
 
-  /** Whether a log was missing or broken. */
+  /** Whether a log was missing or damaged. */
   bool isDamaged() const { return damaged_; }
 
  private:

@@ -14,7 +14,7 @@
 
 namespace psmks
 {
-/** Pairs of scans of a log, with where their matches start. */
+/** Pairs of scans of a log with their guesses. */
 struct LogPairs
 {
   std::string title;
@@ -22,22 +22,22 @@ struct LogPairs
   std::vector<Guesses> guesses;
 };
 
-/** What the commands that match pairs of scans of logs have in common: every matcher on every pair,
- *  a table for each set of pairs. */
+/** The common part of the commands that match pairs of scans of logs: it runs all matchers on all
+ * pairs and makes a table for each set of pairs. */
 class LogPairsBenchmark
 {
  public:
   using MakePairs =
       std::function<std::vector<LogPairs>(const Log& log, const SlamOptions& options)>;
 
-  /** @param success what a success may be off by where no flag says so */
+  /** @param success default limit of the errors of a success */
   LogPairsBenchmark(CLI::App& app, const PairError& success);
 
   LogInput& input() { return input_; }
 
-  /** @return the program's exit code
-   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted; and as
-   * LogInput::read() */
+  /** Does the work.
+   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted
+   *  @throws ProgramError if a truth cannot be read */
   ExitCode run(const MakePairs& makePairs);
 
  private:

@@ -98,7 +98,7 @@ void holdAgainstTruth(const Log& log, const std::vector<PosedScan>& scans, std::
   const MatchedPath matched(scans);
   const std::vector<Relation> motions =
       log.groundTruth ? trueSteps(matched.estimate, *log.groundTruth) : some;
-  if (motions.empty()) return;  // a truth by numbers tells no motion between stamps
+  if (motions.empty()) return;  // stamps that are numbers of rows give no motions
   run.jumps = countJumps(matched.estimate, matched.odometry, motions);
   if (drawn > 0)
     run.worst = worstMotions(log.title + ", " + run.matcher + ", " + run.reference, scans, matched,

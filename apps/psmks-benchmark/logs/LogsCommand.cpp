@@ -90,7 +90,8 @@ void LogsCommand::write(const std::vector<Table>& tables, const std::vector<LogR
   html_ << logsPage({Machine::present().line(), commandLine()}, tables, drawn);
 }
 
-/** The odometry needs no more than one choice of references: it is the same with all. */
+/** The matcher that keeps its guess is run with one policy only, for its result is the same with
+ * all of them. */
 std::vector<LogsCommand::Method> LogsCommand::chosenMethods() const
 {
   std::vector<Method> methods;

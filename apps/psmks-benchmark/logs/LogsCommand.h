@@ -15,16 +15,16 @@
 
 namespace psmks
 {
-/** `psmks-benchmark logs LOG...`: every matcher with every choice of reference scans on the same
- * logs, one table a log. */
+/** The command `psmks-benchmark logs LOG...`, which runs all matchers with all policies of
+ * reference scans on logs and makes a table for each log. */
 class LogsCommand
 {
  public:
   explicit LogsCommand(CLI::App& app);
 
-  /** @return the program's exit code
-   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted; and as
-   * LogInput::read() */
+  /** Does the work.
+   *  @throws CLI::Error, OptionError for flags and options that cannot be accepted
+   *  @throws ProgramError if a truth cannot be read */
   ExitCode run();
 
  private:

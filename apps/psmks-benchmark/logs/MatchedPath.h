@@ -9,12 +9,12 @@
 
 namespace psmks
 {
-/** The poses of a path that a match stands for, and the first: where a scan failed, the path is
- * only as good as the odometry, and the next match puts it right again. */
+/** The poses of a path at scans with a usable match, and the first pose. At the other scans the
+ * path follows the odometry until the next match corrects it. */
 struct MatchedPath
 {
   Trajectory estimate, odometry;
-  std::vector<std::size_t> scans;  //!< places on the whole path, one per pose
+  std::vector<std::size_t> scans;  //!< index of each pose on the whole path
 
   explicit MatchedPath(const std::vector<PosedScan>& path);
 };

@@ -9,15 +9,15 @@
 
 namespace psmks
 {
-/** `psmks-benchmark selfmatch LOG...`: each scan of a log against itself, from a guess that is
- * wrong at random. Reference and current scan being exact copies, the error is the matcher's own.
- */
+/** The command `psmks-benchmark selfmatch LOG...`, which matches each scan of a log against itself
+ * from a random wrong guess. Both scans are exact copies, so the error is that of the matcher
+ * alone. */
 class SelfmatchCommand
 {
  public:
   explicit SelfmatchCommand(CLI::App& app);
 
-  /** As LogPairsBenchmark::run(). */
+  /** See LogPairsBenchmark::run(). */
   ExitCode run();
 
  private:

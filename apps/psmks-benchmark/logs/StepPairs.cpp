@@ -11,7 +11,7 @@ namespace psmks
 {
 namespace
 {
-/** Where the odometry puts the robot at every scan. */
+/** The poses of the robot by odometry at all scans. */
 Trajectory odometryPath(const Log& log)
 {
   Trajectory path;
@@ -24,7 +24,8 @@ Trajectory odometryPath(const Log& log)
   return path;
 }
 
-/** Where the robot truly was at every scan of a path; none where that was not measured. */
+/** The true poses of the robot at all scans of a path; nothing if the truth was not measured there.
+ */
 std::vector<std::optional<Pose2>> truePoses(const Trajectory& path, const Trajectory& truth)
 {
   std::vector<std::optional<Pose2>> poses(path.size());
@@ -38,7 +39,7 @@ std::vector<std::optional<Pose2>> truePoses(const Trajectory& path, const Trajec
   return poses;
 }
 
-/** The motion that the odometry of a log measured from one scan to another. */
+/** The motion between two scans of a log, measured by odometry. */
 UncertainPose measuredMotion(const Log& log, const Trajectory& path, std::size_t from,
                              std::size_t to, const OdometryOptions& options)
 {

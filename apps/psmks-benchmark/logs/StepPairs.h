@@ -9,19 +9,19 @@
 
 namespace psmks
 {
-/** Scans of a log that follow each other, as pairs with their true motion. */
+/** Consecutive scans of a log as pairs with their true motion. */
 struct StepPairs
 {
-  std::vector<ScanPair> pairs;  //!< id: place of the current scan in the log
-  Guesses odometry;             //!< with the covariance that its model states
-  int withoutTruth = 0;         //!< left out: the truth was not measured at one of the scans
-  int withoutOverlap = 0;       //!< left out: see kLeastOverlap
+  std::vector<ScanPair> pairs;  //!< the id is the index of the current scan in the log
+  Guesses odometry;             //!< with the covariance of the odometry model
+  int withoutTruth = 0;         //!< number left out because a scan has no measured truth
+  int withoutOverlap = 0;       //!< number left out by kLeastOverlap
 };
 
-/** Pairs that share less of their rays at the true motion have nothing to be matched by. */
+/** Pairs are left out if the scans share a smaller part of their rays at the true motion. */
 constexpr double kLeastOverlap = 1.0 / 3;
 
-/** The pairs of a log of which only every so many scans were kept; none without a ground truth.
+/** The pairs of consecutive scans after keeping one of so many scans; none without a ground truth.
  *  @param every >= 1 */
 StepPairs stepPairs(const Log& log, int every, const OdometryOptions& odometry);
 }  // namespace psmks

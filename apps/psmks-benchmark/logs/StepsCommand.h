@@ -10,14 +10,14 @@
 
 namespace psmks
 {
-/** `psmks-benchmark steps LOG...`: matchers on scans of a log that follow each other, held against
- * a true trajectory. */
+/** The command `psmks-benchmark steps LOG...`, which matches consecutive scans of a log and
+ * compares the motions with a true trajectory. */
 class StepsCommand
 {
  public:
   explicit StepsCommand(CLI::App& app);
 
-  /** As LogPairsBenchmark::run(). */
+  /** See LogPairsBenchmark::run(). */
   ExitCode run();
 
  private:

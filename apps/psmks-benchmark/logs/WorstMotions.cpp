@@ -8,13 +8,13 @@ namespace psmks
 {
 namespace
 {
-/** Places of the scans at both ends of a motion. */
+/** The indices of the scans at both ends of a motion. */
 struct Ends
 {
   std::size_t from, to;
 };
 
-/** What a path made of a motion, between the sensors. */
+/** The motion of a path between two scans as the result of a match. */
 PairRecord recordOf(const std::vector<PosedScan>& path, const Ends& ends, const Pose2& T_from_to)
 {
   const PosedScan &from = path[ends.from], &to = path[ends.to];

@@ -12,10 +12,10 @@
 
 namespace psmks
 {
-/** Where a path is furthest from the truth: the matched scans at both ends of a true motion as a
- * pair, the current one where the path has it; the odometry is the guess.
+/** The motions of a path that are farthest from the truth. The matched scans at both ends of a true
+ * motion form a pair, with the motion of the path as the result and the odometry as the guess.
  *  @param truth short motions
- *  @param count of motions at most, the worst first */
+ *  @param count largest number of motions; the worst comes first */
 DrawnRun worstMotions(const std::string& title, const std::vector<PosedScan>& path,
                       const MatchedPath& matched, const std::vector<Relation>& truth,
                       std::size_t count);

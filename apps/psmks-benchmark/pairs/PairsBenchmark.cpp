@@ -11,7 +11,7 @@ namespace psmks
 {
 namespace
 {
-/** The runs of all matchers from one kind of guess. */
+/** The runs of all matchers with one kind of guess. */
 class GuessRuns
 {
  public:

@@ -17,19 +17,19 @@ struct PairsBenchmarkOptions
   std::vector<std::string> matchers;
   MatcherOptions matcherOptions;
   int repeats = 1;
-  bool sequential = false;    //!< also time matches against a reference that is prepared beforehand
-  bool ofOneScanner = false;  //!< the scans are those of one scanner, as in a log: what the pairs
-                              //!< before have shown of its noise counts for the next
+  bool sequential = false;    //!< also measures the time with a reference prepared before
+  bool ofOneScanner = false;  //!< the pairs are matched like those of a log, and a matcher may
+                              //!< estimate the noise of the scanner from them
 };
 
-/** Every matcher on every pair from every kind of guess.
+/** Runs all matchers on all pairs with all kinds of guesses.
  *
- * Interleaved, so that a machine that is busy for a while does not favour one matcher: for each
- * repeat, for each kind of guess, for each pair, each matcher in turn. The time of a pair is the
- * smallest of its repeats, from the raw scans to the result. Before the first repeat each matcher
- * matches one pair untimed.
+ * The order is interleaved so that a machine that is busy for some time does not favour a matcher:
+ * for each repeat, for each kind of guess, for each pair, all matchers run in turn. The time of a
+ * match is measured from the raw scans to the result, and the smallest one of the repeats counts.
+ * Before the first repeat each matcher matches one pair without measurement.
  *
- * @param progress called after each pair with the share that is done, 0 to 1
+ * @param progress called after each pair with the share of the work that is done, 0 to 1
  * @throws OptionError for a matcher that does not exist or options that it does not accept */
 std::vector<PairsRun> runPairs(const std::vector<ScanPair>& pairs,
                                const std::vector<Guesses>& guesses,

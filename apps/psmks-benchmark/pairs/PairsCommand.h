@@ -13,14 +13,15 @@
 
 namespace psmks
 {
-/** `psmks-benchmark pairs SET...`: matchers on scan pairs, one table a set, which is a file or the
- * name of one to be generated, and one over all sets without moving objects. */
+/** The command `psmks-benchmark pairs SET...`, which runs matchers on sets of scan pairs. A set is
+ * a file, or the name of one to be generated. There is a table for each set, and one over all sets
+ * without moving objects. */
 class PairsCommand
 {
  public:
   explicit PairsCommand(CLI::App& app);
 
-  /** @return the program's exit code
+  /** Does the work.
    *  @throws CLI::Error, OptionError for flags and options that cannot be accepted */
   ExitCode run();
 
@@ -37,7 +38,7 @@ class PairsCommand
   bool listsSets_ = false;
   PairsChoice choice_;
   std::string saveFolder_;
-  double rangeSigma_m_ = 0;  //!< 0 = the set's own
+  double rangeSigma_m_ = 0;  //!< 0 = that of the set
   std::vector<std::string> guesses_{kZeroGuess, kOdometryGuess};
   double odometrySigma_m_ = 0.07;
   double odometrySigma_deg_ = 8;

@@ -29,8 +29,9 @@ PairsInput generatedPairs(const PairFamily& family, unsigned seed, int count)
   return input;
 }
 
-/** @param[out] input all that was read before an error
- *  @throws PairsFileError */
+/** Reads the pairs of a file.
+ *  @param[out] input has the pairs before the damage if an exception is thrown
+ *  @throws PairsFileError if the file cannot be read */
 void readPairs(const std::string& path, int maxPairs, PairsInput& input)
 {
   const std::string name = std::filesystem::path(path).filename().string();
@@ -84,13 +85,14 @@ PairsInput inputPairs(const std::string& argument, const PairsChoice& choice)
 
 void savePairs(const std::string& folder, const PairsInput& input)
 {
-  std::error_code ignored;  // what cannot be created cannot be written to either
+  std::error_code ignored;  // if it cannot be created, writing to it fails
   std::filesystem::create_directories(folder, ignored);
   const std::string path =
       (std::filesystem::path(folder) / (input.title + kExtension + ".gz")).string();
   if (std::filesystem::exists(path)) throw PairsFileError(path + ": exists already");
   PairsHeader header = input.header;
-  header.pairs = static_cast<int>(input.pairs.size());  // fewer than a file promised
+  header.pairs =
+      static_cast<int>(input.pairs.size());  // may be fewer than the header of the file announced
   PairsWriter writer(path, header);
   for (const ScanPair& pair : input.pairs) writer.write(pair);
   writer.close();

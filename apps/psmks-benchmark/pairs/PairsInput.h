@@ -10,41 +10,41 @@
 
 namespace psmks
 {
-/** Scan pairs to match, from a file or generated. */
+/** Scan pairs to match, read from a file or generated. */
 struct PairsInput
 {
-  std::string title;  //!< the file's name without folder and extensions, or that of the set
+  std::string title;  //!< name of the file without folder and extensions, or of the set
   PairsHeader header;
   std::vector<ScanPair> pairs;
   RangeNoise rangeNoise{0.01};
   bool hasMovingObjects = false;
-  bool isDamaged = false;  //!< a file that was missing or broken; the pairs before are there
+  bool isDamaged = false;  //!< whether the file was missing or damaged
 };
 
-/** How many pairs of a set, and which. */
+/** The number of pairs of a set, and the seed. */
 struct PairsChoice
 {
-  unsigned seed = 1;    //!< of generated sets
-  int generated = 200;  //!< pairs in each
-  int read = 0;         //!< of each file at most; 0 = all
+  unsigned seed = 1;    //!< seed of generated sets
+  int generated = 200;  //!< number of pairs in a generated set
+  int read = 0;         //!< largest number of pairs from a file; 0 = all
 };
 
-/** True where an argument of the command line means a set to be generated: it is the name of one,
- * and no file. */
+/** Whether an argument of the command line means a set to be generated: it is the name of a set,
+ * and there is no such file. */
 bool isGenerated(const std::string& argument);
 
-/** True where an argument can only have been meant as the name of a set: it looks like no path. */
+/** Whether an argument can only be meant as the name of a set, for it does not look like a path. */
 bool looksLikeASet(const std::string& argument);
 
-/** One line a set: its name and what it holds. */
+/** A list of the sets with a line for each: its name and its description. */
 std::string listOfSets();
 
-/** The pairs that an argument of the command line means. A file may say by its name that it holds a
- * set saved by savePairs(): noise and moving objects are then those of the set. What is wrong with
- * a file, or that there is no pair, is said on stderr. */
+/** The pairs that an argument of the command line means. If the name of a file is that of a set
+ * saved by savePairs(), its noise and its moving objects are those of the set. Damage of a file,
+ * and that there are no pairs, is reported on stderr. */
 PairsInput inputPairs(const std::string& argument, const PairsChoice& choice);
 
-/** Writes FOLDER/TITLE.pairs.gz.
- *  @throws PairsFileError where it exists already or cannot be written */
+/** Writes the pairs to FOLDER/TITLE.pairs.gz.
+ *  @throws PairsFileError if this file exists or cannot be written */
 void savePairs(const std::string& folder, const PairsInput& input);
 }  // namespace psmks

@@ -12,32 +12,32 @@
 
 namespace psmks
 {
-/** Gathers what matchers made of sets of pairs and writes it: tables, every match as CSV, and one
- *  page for the browser. */
+/** Collects the results of matchers on sets of pairs and writes them as tables, as a CSV file of
+ * all matches, and as an HTML page. */
 class PairsOutput
 {
  public:
   void addFlags(CLI::App& command);
 
-  /** Creates the files, so that a mistyped path is reported before the work is done. */
+  /** Creates the files now, so that a mistyped path is reported before the work is done. */
   void open();
 
-  /** Dumps its matches and keeps it for write(). */
+  /** Writes the matches of a set to the CSV file, and keeps the set for write(). */
   void add(PairsSetResult result);
 
   const std::vector<PairsSetResult>& results() const { return results_; }
 
   bool hasPage() const { return html_.is_open(); }
 
-  /** One table a set. */
+  /** The tables, one for each set. */
   std::vector<Table> tables() const;
 
-  /** Nothing where there are no tables.
-   *  @param tables as from tables(), and more of the same columns */
+  /** Writes the tables and the page; nothing without tables.
+   *  @param tables those of tables(), and further ones with the same columns */
   void write(const std::vector<Table>& tables);
 
-  /** Of the program.
-   *  @param damaged whether some of the input could not be read */
+  /** The exit code of the program.
+   *  @param damaged whether a part of the input could not be read */
   ExitCode exitCode(bool damaged) const;
 
  private:

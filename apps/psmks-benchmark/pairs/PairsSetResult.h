@@ -11,22 +11,22 @@
 
 namespace psmks
 {
-/** A set of scan pairs with what every matcher made of it. */
+/** A set of scan pairs with the results of all matchers. */
 struct PairsSetResult
 {
   std::string title;
   std::vector<ScanPair> pairs;
-  std::vector<PairBound> bounds;  //!< one per pair; empty where they are not known
-  std::vector<PairsRun> runs;     //!< one per matcher and guess; records one per pair, in order
+  std::vector<PairBound> bounds;  //!< one for each pair; empty if they are unknown
+  std::vector<PairsRun> runs;     //!< one for each matcher and guess, with a record for each pair
   bool hasMovingObjects = false;
   PairError successLimit = kSuccessLimit;
-  std::vector<Panel> convergence;  //!< areas of convergence; empty where they were not measured
+  std::vector<Panel> convergence;  //!< areas of convergence; empty if they were not measured
 };
 
-/** A row for each run.
+/** The table of a set, with a row for each run.
  *  @param baseline see pairsTable() */
 Table tableOf(const PairsSetResult& set, const std::string& baseline);
 
-/** The bounds and runs of all sets without moving objects as one, without its pairs. */
+/** The bounds and runs of all sets without moving objects as one set, without the pairs. */
 PairsSetResult pooledStaticSets(const std::vector<PairsSetResult>& sets);
 }  // namespace psmks

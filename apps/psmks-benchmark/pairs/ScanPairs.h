@@ -8,7 +8,7 @@
 
 namespace psmks
 {
-/** What matchers get of a generated set, in its order. */
+/** The pairs of a generated set as matchers get them, in their order. */
 inline std::vector<ScanPair> scanPairs(const PairSet& set)
 {
   std::vector<ScanPair> pairs;

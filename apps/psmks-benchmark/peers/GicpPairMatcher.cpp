@@ -19,16 +19,18 @@ namespace
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Gicp = pcl::GeneralizedIterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ>;
 
-constexpr double kGate_m = 1.0;           // between the points of a pair
-constexpr float kExplained_m = 0.1F;      // a point this close to the other scan is explained by it
-constexpr double kAcceptedShare = 0.40;   // of explained points, as for MRPT's ICP
-constexpr std::size_t kLeastPoints = 20;  // that GICP takes as the neighbourhood of a point
+constexpr double kGate_m = 1.0;       // largest distance of the points of a pair
+constexpr float kExplained_m = 0.1F;  // a point this close to the other scan counts as explained
+constexpr double kAcceptedShare =
+    0.40;  // least share of explained points of a usable match, as for MRPT's ICP
+constexpr std::size_t kLeastPoints =
+    20;  // number of points that GICP takes for the neighbourhood of a point
 
-/** Where the covariances of the points come from. */
+/** The points that the covariance of a point is computed from. */
 enum class Surface
 {
-  Nearest,  //!< PCL: from the nearest points, in three dimensions, though all points are in a plane
-  Rays      //!< from the neighbouring rays, in the plane
+  Nearest,  //!< the nearest points in space, as in PCL, although all points lie in a plane
+  Rays      //!< those of the neighbouring rays, in the plane
 };
 
 Cloud::Ptr toCloud(const Scan& scan)
@@ -43,8 +45,8 @@ Cloud::Ptr toCloud(const Scan& scan)
   return cloud;
 }
 
-/** Free along the surface, tight across it and out of the plane.
- *  @param scatter of the points around, in the plane */
+/** A covariance that is large along the surface, and small across it and out of the plane.
+ *  @param scatter matrix of the points around, in the plane */
 Eigen::Matrix3d surfaceCovariance(const Eigen::Matrix2d& scatter)
 {
   constexpr double kAcross = 1e-3, kAlong = 1;
@@ -89,8 +91,8 @@ Pose2 toPose(const Eigen::Matrix4f& matrix)
 
 /** PCL's generalised ICP with its default parameters but for the gate, on the points of two scans.
  *
- *  PCL says converged to almost anything; a match is a failure (NoImprovement) where less than
- * kAcceptedShare of the points are explained. `score` is that share. It gives no covariance. */
+ *  PCL reports convergence for nearly every result. Here a match fails (NoImprovement) if less than
+ * kAcceptedShare of the points are explained; `score` is that share. There is no covariance. */
 class GicpPairMatcher : public PairMatcher
 {
  public:

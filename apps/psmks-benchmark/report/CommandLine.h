@@ -5,7 +5,7 @@
 
 namespace psmks
 {
-/** The command that this program was started with, fit for a shell; the program without its folder.
- *  Empty where the system does not tell. */
+/** The command that started this program, quoted for a shell, with the program without its folder.
+ * It is empty if the system does not provide it. */
 std::string commandLine();
 }  // namespace psmks

@@ -11,11 +11,11 @@ namespace
 constexpr int kPercent = 100;
 constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kMillisecondsPerSecond = 1e3;
-constexpr double kShortestTime_ms = 1e-3;  // shown; nothing that matches is below
+constexpr double kShortestTime_ms = 1e-3;  // least time shown; no match is faster
 constexpr unsigned kBoundColour = 0x808080;
-constexpr std::size_t kSolidLines = 7;  // as many as a chart has colours; then they are dashed
+constexpr std::size_t kSolidLines = 7;  // number of colours of a chart; further lines are dashed
 
-/** The limit of each percent of the values. */
+/** The distribution of values: the limit below which each percent of them lies. */
 ChartSeries distribution(const std::string& name, const std::vector<double>& values)
 {
   ChartSeries series;

@@ -9,9 +9,10 @@
 
 namespace psmks
 {
-/** How the errors of position and heading and the times are distributed over the pairs of a set:
- * for every limit the share of the matches within it, one line a matcher, and one for the bound of
- * the errors, where it is known. A failed match counts with the error of its guess.
- *  @param guess of the runs that are shown */
+/** Charts of the distributions of the errors of position and heading and of the times over the
+ * pairs of a set. They show for each limit the share of the matches below it, with a line for each
+ * matcher and one for the bound of the errors, if it is known. A failed match counts with the error
+ * of its guess.
+ *  @param guess kind of guess of the runs that are shown */
 std::vector<Chart> distributionCharts(const PairsSetResult& set, const std::string& guess);
 }  // namespace psmks

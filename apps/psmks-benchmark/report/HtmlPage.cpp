@@ -8,7 +8,7 @@ namespace psmks
 namespace
 {
 constexpr int kPanelWidth_px = 500, kPanelHeight_px = 380;
-constexpr int kLegendRow_px = 20;  // of two names beside each other
+constexpr int kLegendRow_px = 20;  // height of a row with two names
 
 const char* const kStyle = R"(
 body { font: 16px/1.5 "DejaVu Sans", sans-serif; color: #222; max-width: 1760px; margin: 0 auto;
@@ -42,7 +42,8 @@ const std::string& titleOf(const Panel& panel)
   return std::visit([](const auto& content) -> const std::string& { return content.title; }, panel);
 }
 
-/** Room for the legend of a chart is added, so that the plot is as high with many curves. */
+/** The height of a chart. That of its legend is added, so that the plot itself has the same height
+ * with many curves. */
 int heightOf_px(const Panel& panel)
 {
   const Chart* chart = std::get_if<Chart>(&panel);

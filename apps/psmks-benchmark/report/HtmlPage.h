@@ -9,15 +9,15 @@
 
 namespace psmks
 {
-/** What the figures of a page come from. */
+/** Where the values on a page come from. */
 struct PageOrigin
 {
-  std::string machine;  //!< one line
-  std::string command;  //!< that makes the page again
+  std::string machine;  //!< description in one line
+  std::string command;  //!< command that makes the page again
 };
 
-/** One HTML page that needs no other file: readable offline, in print and on a phone. Parts stand
- * in the order in which they are added; texts are shown as they are. */
+/** An HTML page that needs no other file and can be read offline, in print and on a phone. Its
+ * parts come in the order in which they are added. Texts are shown as they are, without markup. */
 class HtmlPage
 {
  public:
@@ -26,14 +26,14 @@ class HtmlPage
   void addHeading(const std::string& text);
   void addTable(const Table& table);
 
-  /** Charts beside each other as far as the window is wide. Where they cannot be drawn - gnuplot is
-   * not installed - one sentence says so, on the whole page once. */
+  /** Adds charts side by side, as far as the width of the window allows. If they cannot be drawn,
+   * as without gnuplot, one sentence on the page says so. */
   void addCharts(const std::vector<Panel>& charts);
 
-  /** Markup as it is. */
+  /** Adds markup. */
   void addHtml(const std::string& html) { body_ += html; }
 
-  /** Markup that is shown on demand. */
+  /** Adds markup that is folded under a summary. */
   void addDetails(const std::string& summary, const std::string& html);
 
   /** The whole document. */

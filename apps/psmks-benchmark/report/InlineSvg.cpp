@@ -6,7 +6,7 @@ namespace psmks
 {
 namespace
 {
-/** Takes out every stretch from `begin` to the `end` that follows it, both included. */
+/** Removes each part of a text from `begin` to the next `end`, both included. */
 void drop(std::string& text, const std::string& begin, const std::string& end)
 {
   std::string kept;

@@ -5,8 +5,9 @@
 
 namespace psmks
 {
-/** What of an SVG document by gnuplot may stand inside a page beside others: without document head,
- * names and definitions, which would clash. Lines, areas and texts stay; point symbols are lost.
- *  @param title for those who cannot see it */
+/** The part of an SVG document by gnuplot that can be embedded in a page together with others. The
+ * head of the document, names and definitions are removed, for they would clash. Lines, areas and
+ * texts remain; point symbols are lost.
+ *  @param title description for readers who cannot see the picture */
 std::string inlineSvg(const std::string& document, const std::string& title);
 }  // namespace psmks

@@ -11,16 +11,17 @@
 
 namespace psmks
 {
-/** Pairs of scans that a run through a log put in places to be looked at. */
+/** Pairs of scans of a run on a log that are drawn on a page. */
 struct DrawnRun
 {
   std::string title;
   std::vector<ScanPair> pairs;
-  std::vector<PairRecord> records;  //!< one per pair, in order; id: place of the scan in the log
+  std::vector<PairRecord>
+      records;  //!< one for each pair; the id is the index of the scan in the log
 };
 
-/** The comparison of matchers on logs as one HTML page: the tables, and on demand the drawings of
- * each run. */
+/** The comparison of matchers on logs as an HTML page: the tables, and folded the drawings of each
+ * run. */
 std::string logsPage(const PageOrigin& origin, const std::vector<Table>& tables,
                      const std::vector<DrawnRun>& runs);
 }  // namespace psmks

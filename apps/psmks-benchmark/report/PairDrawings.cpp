@@ -15,10 +15,11 @@ namespace
 {
 constexpr double kCentimetresPerMetre = 100;
 constexpr double kMillimetresPerMetre = 1000;
-constexpr double kMargin = 0.04;         // round the picture, of its side
-constexpr double kSensorShare = 0.025;   // half the length of a sensor's arrow, of its side
-constexpr double kTextShare = 0.06;      // height of letters, of its side
-constexpr double kScaleBarShare = 0.25;  // at most, of its side
+constexpr double kMargin = 0.04;  // width of the border, as a share of the side of the picture
+constexpr double kSensorShare =
+    0.025;                           // half the length of a sensor's arrow, as a share of the side
+constexpr double kTextShare = 0.06;  // height of letters, as a share of the side
+constexpr double kScaleBarShare = 0.25;  // largest length, as a share of the side
 
 std::ostringstream numberStream(int decimals)
 {
@@ -28,7 +29,8 @@ std::ostringstream numberStream(int decimals)
   return out;
 }
 
-/** SVG has its y axis downwards and turns clockwise. */
+/** The SVG transformation of a pose. The y axis of SVG points down, and its angles are clockwise.
+ */
 std::string transformOf(const Pose2& pose)
 {
   std::ostringstream out = numberStream(1);
@@ -37,7 +39,7 @@ std::string transformOf(const Pose2& pose)
   return out.str();
 }
 
-/** A square round all that a picture shows, in the frame of the reference. */
+/** A square around all that a picture shows, in the frame of the reference. */
 Eigen::AlignedBox2d extentOf(const ScanPair& pair, const PairRecord& record)
 {
   Eigen::AlignedBox2d extent(Eigen::Vector2d::Zero());
@@ -62,7 +64,7 @@ std::string arrow(const char* role, const Pose2& T_ref_sensor, double length_m)
   return out.str();
 }
 
-/** In the lower left corner. */
+/** A scale bar in the lower left corner. */
 std::string scaleBar(const Eigen::AlignedBox2d& extent)
 {
   constexpr std::array<double, 6> kLengths_m{10, 5, 2, 1, 0.5, 0.2};

@@ -11,33 +11,33 @@
 
 namespace psmks
 {
-/** Pictures of matched pairs, as inline SVG in the frame of the reference: the reference scan, and
- * the current scan where the match put it and where it truly was; the sensor at the guess.
+/** Pictures of matched pairs as inline SVG in the frame of the reference. They show the reference
+ * scan, the current scan at the matched and at the true pose, and the sensor at the guess.
  *
- * However many pictures show a scan, its outline stands on the page once: see outlines(). Colours
- * come from the classes reference, truth, estimate and guess of the page. */
+ * The outline of a scan is on the page once, however many pictures show it, see outlines(). The
+ * colours are those of the classes reference, truth, estimate and guess of the page. */
 class PairDrawings
 {
  public:
-  /** @param name unique on the page, a word
-   *  @param pairs must outlive this */
+  /** @param name a word that no other drawings on the page have
+   *  @param pairs must outlive this object */
   PairDrawings(std::string name, const std::vector<ScanPair>& pairs)
       : name_(std::move(name)), pairs_(pairs)
   {
   }
 
-  /** What the pictures show, as the end of a sentence. */
+  /** A description of the pictures, as the end of a sentence. */
   static constexpr const char* kLegend =
       "the <span class=\"reference\">reference</span> scan, the current scan where it "
       "<span class=\"truth\">truly</span> was and where the match "
       "<span class=\"estimate\">put</span> it; the sensor at the "
       "<span class=\"guess\">guess</span>.";
 
-  /** A `figure` element with its caption.
-   *  @param place of the pair and its record */
+  /** Draws a pair as a `figure` element with its caption.
+   *  @param place index of the pair */
   std::string draw(std::size_t place, const PairRecord& record);
 
-  /** What the pictures drawn so far refer to; belongs on the page, outside of what can be folded.
+  /** The outlines that the pictures refer to. They have to be on the page, outside of folded parts.
    */
   std::string outlines() const;
 
@@ -48,6 +48,6 @@ class PairDrawings
 
   std::string name_;
   const std::vector<ScanPair>& pairs_;
-  std::set<std::size_t> drawn_;  // places of pairs
+  std::set<std::size_t> drawn_;  // indices of the pairs
 };
 }  // namespace psmks

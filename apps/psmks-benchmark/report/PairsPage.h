@@ -10,9 +10,9 @@
 
 namespace psmks
 {
-/** The comparison of matchers on sets of pairs as one HTML page: the tables; for each set and guess
- * the distributions of errors and times; the areas of convergence where they were measured, and on
- * demand the worst pairs of each matcher, drawn. */
+/** The comparison of matchers on sets of pairs as an HTML page: the tables; for each set and guess
+ * the distributions of errors and times; the areas of convergence, if they were measured; and
+ * folded drawings of the worst pairs of each matcher. */
 std::string pairsPage(const PageOrigin& origin, const std::vector<Table>& tables,
                       const std::vector<PairsSetResult>& sets);
 }  // namespace psmks

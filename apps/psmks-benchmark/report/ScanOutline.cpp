@@ -10,8 +10,9 @@ namespace
 {
 constexpr double kCentimetresPerMetre = 100;
 
-// Neighbours are joined below the larger of these gaps: on a wall that is seen aslant, the rays
-// meet it farther apart than their fan is wide.
+// Neighbouring points are joined if their distance is less than the larger of this gap and a
+// multiple of the spacing of the rays: on a wall seen at an angle they are farther apart than the
+// rays.
 constexpr double kJoinedGap_m = 0.2;
 constexpr double kJoinedFans = 4;
 
@@ -64,7 +65,7 @@ std::string outlinePath(const Scan& scan)
   {
     if (!returned(scan, ray)) continue;
     const Eigen::Vector2i next = pixel(pointOf(scan, ray));
-    // A stroke without length is the dot of a ray that nothing is joined to.
+    // A stroke of length 0 draws a dot, for a point that is not joined to others.
     path += joinsTheOneBefore(scan, ray) ? 'l' + relative(next - pen)
                                          : 'm' + relative(next - pen) + "h0";
     pen = next;

@@ -9,10 +9,10 @@
 
 namespace psmks
 {
-/** Ends of the rays that returned, in the sensor frame. */
+/** The end points of the rays with a return, in the sensor frame. */
 std::vector<Eigen::Vector2d> returnPoints(const Scan& scan);
 
-/** The returns of a scan as the data of an SVG path: centimetres, y downwards. Neighbours that may
- * lie on one surface are joined. */
+/** The returns of a scan as the data of an SVG path, in centimetres with y downwards. Neighbours
+ * that may lie on one surface are joined. */
 std::string outlinePath(const Scan& scan);
 }  // namespace psmks

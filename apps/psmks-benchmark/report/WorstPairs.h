@@ -8,10 +8,10 @@
 
 namespace psmks
 {
-/** Places of the records with the largest errors, the worst first. Translation and rotation count
- * in units of what a success may have, the larger of the two.
- *  @param count of places at most
- *  @param limit of a success */
+/** The indices of the records with the largest errors, the worst first. Translation and rotation
+ * are divided by the limits of a success, and the larger of the two counts.
+ *  @param count largest number of records
+ *  @param limit of the errors of a success */
 std::vector<std::size_t> worstRecords(const std::vector<PairRecord>& records, std::size_t count,
                                       const PairError& limit = kSuccessLimit);
 }  // namespace psmks
