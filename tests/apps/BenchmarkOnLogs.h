@@ -12,7 +12,7 @@
 
 namespace psmks::test
 {
-/** psmks-benchmark on logs of a room, in a folder of its own. */
+/** Tests of psmks-benchmark on logs of a room, in a scratch folder. */
 class BenchmarkOnLogs : public ProgramTest
 {
  protected:
@@ -43,7 +43,8 @@ class BenchmarkOnLogs : public ProgramTest
     EXPECT_NE(done.errors.find(sentence), std::string::npos) << done.errors;
   }
 
-  /** @param sideways_m by which the last pose is wrong */
+  /** Writes the true trajectory.
+   *  @param sideways_m error of the last pose */
   void writeTruth(const std::string& name, double sideways_m = 0) const
   {
     Trajectory truth;

@@ -25,7 +25,7 @@ std::string source(const std::string& path) { return fileText(kSource + "/" + pa
 
 std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
-/** Every option of a configuration as ini text. */
+/** All options of a configuration as ini text. */
 std::string dumped(const ScanMatcherOptions& options)
 {
   std::ostringstream text;
@@ -40,7 +40,7 @@ ScanMatcherOptions loaded(const std::string& path)
   return options;
 }
 
-/** What the first block of C++ in a Markdown text holds. */
+/** The content of the first block of C++ in a Markdown text. */
 std::string cppBlock(const std::string& markdown)
 {
   const std::string opening = "```cpp\n";
@@ -63,7 +63,7 @@ std::string withoutTimes(const std::string& text)
   return std::regex_replace(text, std::regex("[0-9.]+ ms"), "# ms");
 }
 
-/** The first thing in a file that the pattern's group matches. */
+/** The first text in a file that the group of the pattern matches. */
 std::string found(const std::string& path, const std::string& pattern)
 {
   const std::string text = source(path);

@@ -20,7 +20,7 @@ class PsmksBenchmarkLogs : public BenchmarkOnLogs
     return BenchmarkOnLogs::run("logs " + arguments);
   }
 
-  /** True motions between scans, by their places in the log. */
+  /** Writes true motions between scans, which are given by their indices in the log. */
   void writeRelations(const std::vector<std::pair<std::size_t, std::size_t>>& places) const
   {
     std::ofstream out(path("room.relations"));
@@ -129,7 +129,7 @@ TEST_F(PsmksBenchmarkLogs, TheRelationsBesideTheLogAreFound)
   ASSERT_EQ(run(log("room") + " --matchers psmks,guess --references map").exitCode, 0);
   EXPECT_LT(rows()[0].at("relations_mean_m"), 0.002);
   EXPECT_LT(rows()[0].at("relations_mean_deg"), 0.1);
-  // a step of the odometry goes 5 mm too far and turns 1 degree too little
+  // Each step of the odometry is 5 mm too long and turns 1 degree too little.
   EXPECT_NEAR(rows()[1].at("relations_mean_m"), 0.005, 1e-6);
   EXPECT_NEAR(rows()[1].at("relations_deviation_m"), 0, 1e-6);
   EXPECT_NEAR(rows()[1].at("relations_mean_deg"), 1, 1e-4);

@@ -15,13 +15,13 @@ namespace
 using namespace test;
 using nlohmann::json;
 
-/** The pages and pictures of the benchmark, on generated pairs. */
+/** Tests of the pages and pictures of the benchmark on generated pairs. */
 class PsmksBenchmarkReport : public test::ProgramTest
 {
  protected:
   PsmksBenchmarkReport() : ProgramTest(PSMKS_PROGRAM) {}
 
-  /** The table of a grid of 2 x 2 cells. */
+  /** The table of convergence on a grid of 2 x 2 cells. */
   json convergence(const std::string& arguments) const
   {
     const ProgramRun done =

@@ -17,7 +17,7 @@ class PsmksBenchmarkSteps : public BenchmarkOnLogs
 class PsmksBenchmarkSelfmatch : public BenchmarkOnLogs
 {
  protected:
-  /** The columns error_m and error_deg of a dump. */
+  /** The columns error_m and error_deg of the CSV file of all matches. */
   std::vector<std::pair<double, double>> dumpedErrors(const std::string& name) const
   {
     std::vector<std::pair<double, double>> errors;
@@ -56,7 +56,7 @@ TEST_F(PsmksBenchmarkSteps, EveryMatcherStartsFromEveryGuess)
   EXPECT_NEAR(rows()[3].at("rotation_median_deg"), 1, 1e-3) << "what it turns too little";
 }
 
-//   o . o . o . o .     every second scan: three motions of twice a step
+//   o . o . o . o .     every second scan is kept: three motions of two steps each
 TEST_F(PsmksBenchmarkSteps, ScansBetweenCanBeLeftOut)
 {
   writeTruth("room.gt.tum");
@@ -84,7 +84,7 @@ TEST_F(PsmksBenchmarkSteps, TheLimitsOfASuccessCanBeMoved)
   EXPECT_EQ(success_percent(" --success_deg 6 --success_m 0.05"), 0);
 }
 
-/** The robot has turned its back on what it saw. */
+/** After half a turn the robot sees nothing of what it saw before. */
 TEST_F(PsmksBenchmarkSteps, PairsThatShareTooLittleAreLeftOutAndCounted)
 {
   RoomLog turned(3);

@@ -18,7 +18,7 @@ namespace
 {
 constexpr int kPairs = 3;
 
-/** Two scans of the simulated room, 20 cm and 5 degrees apart. */
+/** Two scans of the simulated room that are 20 cm and 5 degrees apart. */
 ScanPair roomPair(int id, std::mt19937_64& random)
 {
   const World world = World::smallRoom();
@@ -182,7 +182,7 @@ TEST_F(PsmksBenchmark, AFileWithoutPairsIsNothingToDo)
   EXPECT_EQ(run("pairs " + path("empty.pairs")).exitCode, 3);
 }
 
-/** The rows of tables in CSV without what depends on the machine. */
+/** The rows of tables in CSV without the columns that depend on the machine. */
 std::vector<std::string> rowsWithoutTimes(const std::string& csv)
 {
   constexpr int kTimes = 5;  // columns at the end
@@ -289,9 +289,9 @@ TEST_F(PsmksBenchmark, SegmentationIsTheSameForTheSameSeed)
   EXPECT_EQ(lines(figures("--filter linear")).size(), 1U + 2);
 }
 
-// ---- experiments -------------------------------------------------------------------------------
+// The experiments of the paper.
 
-/** Files under a folder, by their paths from there. */
+/** The files below a folder, by their paths relative to it. */
 std::set<std::string> filesIn(const std::string& folder)
 {
   std::set<std::string> files;
@@ -301,7 +301,7 @@ std::set<std::string> filesIn(const std::string& folder)
   return files;
 }
 
-/** What the pictures of a Markdown text link to. */
+/** The pictures that a Markdown text links to. */
 std::vector<std::string> pictureLinks(const std::string& markdown)
 {
   const std::regex picture(R"(!\[[^\]]*\]\(([^)]+)\))");

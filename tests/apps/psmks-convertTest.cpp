@@ -32,7 +32,7 @@ class PsmksConvert : public test::ProgramTest
     EXPECT_EQ(done.output, output);
   }
 
-  /** One sentence on stderr, and no file left behind. */
+  /** Expects one sentence on stderr and no output file. */
   void expectRefusal(const std::string& arguments, int exitCode, const std::string& sentence) const
   {
     SCOPED_TRACE(arguments);
@@ -49,7 +49,7 @@ class PsmksConvert : public test::ProgramTest
     return frames;
   }
 
-  /** Stamps, odometry, bearings and ranges of the room. */
+  /** Expects the stamps, the odometry, the bearings and the ranges of the log of the room. */
   void expectRoom(const std::string& name) const
   {
     const auto frames = framesOf(name);

@@ -18,7 +18,8 @@ namespace
 using Json = nlohmann::json;
 using test::says;
 
-/** Ten metres along x and ten to the left, a pose a metre and second, in file "truth.tum".
+/** The file "truth.tum" has a path of ten metres along x and ten metres to the left, with a pose
+ * for each metre and second.
  *
  *                         ^
  *                         |
@@ -48,7 +49,7 @@ class PsmksEvaluate : public test::ProgramTest
     std::ofstream(path(name)) << text;
   }
 
-  /** The truth in another world, with the poses from number 10 on 0.5 m too far. */
+  /** Writes the true path in another frame, with the poses from number 10 on displaced by 0.5 m. */
   void writeEstimate(const std::string& name = "estimate.tum") const
   {
     Trajectory estimate = truth_;
@@ -57,7 +58,7 @@ class PsmksEvaluate : public test::ProgramTest
     write(name, estimate);
   }
 
-  /** A row of the JSON that a run has written. */
+  /** A row of the JSON file that a run has written. */
   Json rowOf(const std::string& table, std::size_t row = 0) const
   {
     const Json document = Json::parse(fileText(path("errors.json")));
@@ -138,7 +139,7 @@ TEST_F(PsmksEvaluate, ComparesTrajectoriesInOneTable)
 TEST_F(PsmksEvaluate, FirstPosesCanBeLeftOut)
 {
   Trajectory estimate = truth_;
-  estimate[0].pose = {0, 0, 0.5};  // where laying the first pose over spoils all others
+  estimate[0].pose = {0, 0, 0.5};  // laying the first pose over the truth then spoils all others
   write("estimate.tum", estimate);
   ASSERT_EQ(run("-e estimate.tum -g truth.tum --skip_poses 1 --json errors.json").exitCode, 0);
   EXPECT_NEAR(rowOf("poses, first laid over")["max_m"].get<double>(), 0, 1e-6);
@@ -240,7 +241,7 @@ TEST_F(PsmksEvaluate, ReadsMrptsUwbDemo)
   const std::string file = "/usr/share/mrpt/datasets/uwb_ro-localization_demo_GT.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not installed";
   Trajectory estimate = readTrajectory(file);
-  estimate.insert(estimate.begin(), StampedPose{0, {}});  // observed before the first action
+  estimate.insert(estimate.begin(), StampedPose{0, {}});  // a scan before the first action
   for (auto& [stamp_s, pose] : estimate) stamp_s += kStart_s;
   write("estimate.tum", estimate);
   const auto result = run("-e estimate.tum -g " + file + " --json errors.json");

@@ -17,7 +17,7 @@ namespace psmks
 {
 namespace
 {
-constexpr int kScans = 31;  // of 0.05 minutes, both ends included
+constexpr int kScans = 31;  // in 0.05 minutes at 10 scans a second, both ends included
 const char* const kResults[] = {"drive.rawlog", "drive.gt.tum", "drive.GT.txt", "drive.world.png"};
 
 class PsmksSimulate : public test::ProgramTest
@@ -25,7 +25,7 @@ class PsmksSimulate : public test::ProgramTest
  protected:
   PsmksSimulate() : ProgramTest(PSMKS_PROGRAM) {}
 
-  /** Three seconds, written as drive.*. */
+  /** Simulates three seconds to the files drive.*. */
   ProgramRun drive(const std::string& flags) const
   {
     return run("--minutes 0.05 --output drive.rawlog --overwrite " + flags);
@@ -42,7 +42,8 @@ class PsmksSimulate : public test::ProgramTest
 
   Trajectory truth() const { return readTrajectory(path("drive.gt.tum")); }
 
-  /** A hall of 10 x 6 m with solid walls, in cells of 10 cm, about the origin. */
+  /** Writes a grid map of a hall of 10 x 6 m about the origin with solid walls, in cells of 10 cm.
+   */
   void writeGridmap(const std::string& name) const
   {
     mrpt::maps::COccupancyGridMap2D map(-5, 5, -3, 3, 0.1f);
@@ -81,7 +82,7 @@ TEST_F(PsmksSimulate, TheGroundTruthHasAPoseForEveryScanInBothFiles)
   }
 }
 
-/** Seen from the true poses, every point lies on a wall of the room. */
+/** From the true poses, all points of the scans lie on walls of the room. */
 TEST_F(PsmksSimulate, TheScansShowTheWorldFromTheTruePoses)
 {
   drive("--world room --rays 91 --range_sigma_m 0.001 --laser_x_m 0.2 --laser_phi_deg 30");
@@ -170,7 +171,7 @@ TEST_F(PsmksSimulate, ARouteIsDrivenToItsEnd)
   EXPECT_LT((truth().back().pose.translation() - Eigen::Vector2d(-1, 1)).norm(), 0.3);
 }
 
-/** From the middle of the hall its far wall is 4.9 m away, to the face of the outermost cells. */
+/** The far wall of the hall is 4.9 m from its middle: the face of the outer cells. */
 TEST_F(PsmksSimulate, GridmapsAreWorlds)
 {
   writeGridmap("hall.gridmap");

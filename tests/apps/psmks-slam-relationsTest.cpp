@@ -28,7 +28,7 @@ class PsmksSlamRelations : public test::ProgramTest
     return nlohmann::json::parse(fileText(path("out/summary.json")));
   }
 
-  /** The true motions from the first scan to each of the others. */
+  /** Writes the true motions from the first scan to each of the others. */
   void writeRelations() const
   {
     std::ofstream file(path("room.relations"));

@@ -32,7 +32,7 @@ class PsmksSlam : public test::ProgramTest
  protected:
   PsmksSlam() : ProgramTest(PSMKS_PROGRAM) {}
 
-  /** Runs on the log of that name; results go to the folder "out". */
+  /** Runs the program on a log, with the folder "out" for its results. */
   ProgramRun slam(const std::string& log, const std::string& flags = "") const
   {
     return run(quoted(path(log)) + " --output out --overwrite " + flags);
@@ -155,7 +155,8 @@ TEST_F(PsmksSlam, TheSavedRawlogHoldsTheMatchedMotions)
     EXPECT_TRUE(isNearly(*frame.odometry, truth, 2e-3, degToRad(0.05)));
   }
   EXPECT_EQ(reader.damage(), "");
-  EXPECT_EQ(slam("room.rawlog --save-rawlog matched.rawlog").exitCode, 2);  // no such log
+  EXPECT_EQ(slam("room.rawlog --save-rawlog matched.rawlog").exitCode,
+            2);  // the log does not exist
 }
 
 TEST_F(PsmksSlam, TheErrorAgainstAGroundTruthIsReported)
@@ -224,7 +225,8 @@ TEST_F(PsmksSlam, AMapHasAKeyframeForEverySpacing)
 {
   writeGzipped(asFrames(log_), path("room.rawlog"));
   slam("room.rawlog", "--reference map");
-  EXPECT_EQ(summary()["references"], 2);  // 35 degrees on the way, 30 apart
+  EXPECT_EQ(summary()["references"],
+            2);  // the path turns by 35 degrees, references are 30 degrees apart
   slam("room.rawlog", "--reference map --set reference.map_spacing_m=0.15");
   EXPECT_GT(summary()["references"], 3);
   expectTruePath(2e-3, degToRad(0.05));
@@ -255,7 +257,7 @@ TEST_F(PsmksSlam, UnsetStampsCommentsAndASecondScannerDoNotDisturb)
 
   const ProgramRun run = slam("odd.rawlog");
   ASSERT_EQ(run.exitCode, 0) << run.errors;
-  expectOneSentence(run);  // which scanner was taken
+  expectOneSentence(run);  // it names the scanner that was chosen
   EXPECT_NE(run.errors.find("--sensor"), std::string::npos);
   expectTruePath(2e-3, degToRad(0.05));
 

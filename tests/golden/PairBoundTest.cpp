@@ -17,7 +17,8 @@ double positionSigma_m(const Eigen::Matrix3d& information)
   return std::sqrt(information.inverse().topLeftCorner<2, 2>().trace());
 }
 
-/** How much less the scans alone let one know than the map of the world does, pair by pair. */
+/** For each pair, the standard deviation of the position from the scans alone over that with a map
+ * of the world. */
 std::vector<double> sigmaRatios(const std::string& family, int pairs)
 {
   const PairSet set = makePairSet(pairFamily(family), 1, pairs);
@@ -41,7 +42,7 @@ TEST(PairBoundOnGeneratedPairs, IsThatOfTheKnownWorld)
   {
     const std::vector<double> ratios = sigmaRatios(family, 60);
     EXPECT_NEAR(median(ratios), 1, 0.05) << family;
-    EXPECT_GT(quantile(ratios, 0.05), 0.95) << family << ": it must not promise too much";
+    EXPECT_GT(quantile(ratios, 0.05), 0.95) << family << ": the bound must not be too small";
     EXPECT_LT(quantile(ratios, 0.95), 1.3) << family;
   }
 }

@@ -12,7 +12,7 @@ namespace psmks
 {
 namespace
 {
-/** A file of the data folder; empty where there is no such folder or file. */
+/** The path of a file in the folder of test data; empty if there is no such folder or file. */
 std::string dataFile(const std::string& name)
 {
   const char* folder = std::getenv("PSMKS_DATA_DIR");

@@ -5,6 +5,6 @@
 
 namespace psmks
 {
-/** How often operator new has been called in this program so far. */
+/** The number of calls of operator new in this program so far. */
 std::size_t allocationCount();
 }  // namespace psmks

@@ -11,7 +11,7 @@ namespace
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/** Scans as no scanner should send them. */
+/** Random scans with all kinds of errors that no scanner should deliver. */
 class BadScans
 {
  public:
@@ -29,7 +29,7 @@ class BadScans
   }
 
  private:
-  /** From no ray at all to a fine full circle. */
+  /** A grid between one without rays and a full circle with many. */
   BeamGrid grid()
   {
     const int count = random_.integer(0, 3) ? random_.integer(4, 500) : random_.integer(0, 3);

@@ -14,7 +14,7 @@ namespace psmks
 {
 namespace
 {
-/** A minute's drive through a world of the experiments. */
+/** A drive of one minute through a world of the experiments. */
 struct ShortDrive
 {
   Site site;
@@ -31,7 +31,8 @@ struct ShortDrive
   }
 };
 
-/** Differences of the squared errors of a matcher and of maximum likelihood on the same scans. */
+/** The differences between the squared errors of a matcher and of maximum likelihood on the same
+ * scans. */
 class SquaredErrors
 {
  public:
@@ -45,7 +46,7 @@ class SquaredErrors
   std::size_t count() const { return differences_.size(); }
   double ratio() const { return matcher_ / mostLikely_; }
 
-  /** How many standard errors the matcher's mean is above that of maximum likelihood. */
+  /** By how many standard errors the mean of the matcher is above that of maximum likelihood. */
   double standardErrorsAbove() const
   {
     const auto n = static_cast<double>(differences_.size());
@@ -71,8 +72,8 @@ bool isTriggered(const Pose2& T_ref_cur)
   return T_ref_cur.translation().norm() >= 0.8 || std::abs(T_ref_cur.phi_rad) >= degToRad(20);
 }
 
-/** Matches scans a trigger apart, from where the odometry puts them. Where the scans leave a
- * direction open there is nothing to compare. */
+/** Matches scans that are one trigger distance apart, with the odometry as the guess. Pairs that
+ * leave a direction unconstrained are not compared. */
 void compare(const ShortDrive& drive, DriveErrors& errors)
 {
   const Matcher matcher;
@@ -101,9 +102,9 @@ void compare(const ShortDrive& drive, DriveErrors& errors)
     errors.heading_rad2.add(turned_rad * turned_rad, mostLikely.z() * mostLikely.z());
   }
 }
-/** A world with the factor by which the matcher's mean squared errors may exceed the least ones.
- * Maximum likelihood knows which points of the curved world lie on one circle; the matcher has to
- * find out. */
+/** A world and the factor by which the mean squared errors of the matcher may exceed the least
+ * ones. Maximum likelihood knows which points of the curved world lie on one circle, while the
+ * matcher has to find out. */
 struct Place
 {
   const char* world;
@@ -122,9 +123,9 @@ INSTANTIATE_TEST_SUITE_P(Worlds, LeastError,
                          [](const auto& place) -> std::string { return place.param.world; });
 }  // namespace
 
-/** The floor that drifts are held against is made of these errors. Maximum likelihood knows which
- * ray met which object: to first order no matcher is better, only by chance. One that was better
- * on average would show that the floor is computed wrongly. */
+/** DriftBound is computed from these errors. Maximum likelihood knows which ray met which object,
+ * so to first order a matcher can be better only by chance. One that was better on average would
+ * show that the bound is wrong. */
 TEST_P(LeastError, IsThatOfMaximumLikelihood)
 {
   constexpr double kChance = 3;

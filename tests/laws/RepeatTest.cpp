@@ -7,7 +7,7 @@ namespace psmks
 {
 namespace
 {
-/** To the last bit, times aside. */
+/** Whether two results are equal to the last bit, except for their times. */
 testing::AssertionResult isIdentical(const MatchResult& a, const MatchResult& b)
 {
   const bool same = a.status == b.status && a.T_ref_cur.x_m == b.T_ref_cur.x_m &&
@@ -24,7 +24,8 @@ testing::AssertionResult isIdentical(const MatchResult& a, const MatchResult& b)
 class Repeat : public SchemeLaw
 {
  protected:
-  /** Half of them too far apart for the first start, so that the search takes part. */
+  /** Half of the pairs are too far apart for the first starting pose, so that the search is used as
+   * well. */
   std::vector<ScanPair> somePairs()
   {
     std::vector<ScanPair> pairs;

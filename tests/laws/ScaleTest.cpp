@@ -13,7 +13,7 @@ bool isLength(const std::string& key)
   return key.size() > 2 && key.substr(key.size() - 2) == "_m";
 }
 
-/** The options of a world that is k times as large. */
+/** The options for a world that is k times as large. */
 MatcherOptions scaled(MatcherOptions options, double k)
 {
   OptionTable table = optionTable(options);
@@ -45,8 +45,8 @@ class Scale : public SchemeLaw
 INSTANTIATE_TEST_SUITE_P(Schemes, Scale, testing::ValuesIn(bothSchemes()), schemeName);
 }  // namespace
 
-// Larger only: below some lengths that are no options (a surface is 4 cm thick to the free-space
-// score) a world is not looked at.
+// The world is only made larger. Some lengths are constants, such as the thickness of 4 cm that the
+// free-space score gives to surfaces, so the method does not scale to much smaller worlds.
 TEST_P(Scale, ALargerWorldScalesTheTranslation)
 {
   for (const double k : {1.5, 2.0, 3.0})

@@ -12,8 +12,9 @@
 
 namespace psmks
 {
-/** A scheme with the accuracy that its laws hold to. The paper's scheme searches the heading in
- *  steps of 0.1 degree, and its optimum moves with the choice of the reference scan. */
+/** A scheme, and the accuracy with which the laws hold for it. The paper's scheme searches the
+ * heading in steps of 0.1 degree, and its optimum depends on which of the scans is the reference.
+ */
 struct Law
 {
   const char* name;
@@ -22,7 +23,7 @@ struct Law
   double tol_rad;
 };
 
-/** What a failing test shows of its parameter. */
+/** Prints the parameter of a failing test. */
 inline void PrintTo(const Law& law, std::ostream* out) { *out << law.name; }
 
 inline std::vector<Law> bothSchemes()
@@ -38,7 +39,7 @@ struct ScanPair
   Pose2 T_ref_cur;
 };
 
-/** A law under both schemes, on random pairs in an office. */
+/** Tests of a law for both schemes on random pairs of scans in an office. */
 class SchemeLaw : public testing::TestWithParam<Law>
 {
  protected:
@@ -47,7 +48,7 @@ class SchemeLaw : public testing::TestWithParam<Law>
 
   SchemeLaw() : trace_(__FILE__, __LINE__, random_.seedText()) {}
 
-  /** A small motion, within reach of both schemes from a guess of zero. */
+  /** A pair with a small motion that both schemes find from a guess of zero. */
   ScanPair randomPair(const BeamGrid& grid, double sigma_m = 0.005)
   {
     const Pose2 T_world_ref{random_.uniform(-0.5, 0.5), random_.uniform(-0.5, 0.5),

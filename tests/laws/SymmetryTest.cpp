@@ -7,7 +7,7 @@ namespace psmks
 {
 namespace
 {
-/** The scan that a mirror along the x axis shows: bearing b becomes -b. */
+/** The scan after a reflection at the x axis, by which the bearing b becomes -b. */
 Scan mirrored(Scan scan)
 {
   std::reverse(scan.range_m.begin(), scan.range_m.end());
@@ -18,7 +18,7 @@ Scan mirrored(Scan scan)
 
 Pose2 mirrored(const Pose2& pose) { return {pose.x_m, -pose.y_m, -pose.phi_rad}; }
 
-/** The same scan by a scanner whose zero bearing points elsewhere. */
+/** The same scan by a scanner that is mounted at another angle. */
 Scan turned(Scan scan, double by_rad)
 {
   scan.grid =

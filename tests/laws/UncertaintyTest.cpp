@@ -16,7 +16,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Uncertainty, testing::ValuesIn(bothSchemes()),
 
 TEST_P(Uncertainty, GrowsWithTheNoise)
 {
-  // summed over the pairs: one pair may gain an association by its noise
+  // Sums over the pairs, for a single pair may gain an association by its noise.
   double quietPosition_m2 = 0, noisyPosition_m2 = 0, quietHeading_rad2 = 0, noisyHeading_rad2 = 0;
   for (int i = 0; i < kPairs; ++i)
   {
@@ -40,8 +40,8 @@ TEST_P(Uncertainty, GrowsWithTheNoise)
   EXPECT_GT(noisyHeading_rad2, 1.5 * quietHeading_rad2);
 }
 
-//  --------------------      two bare walls: the position along them is the guess's, and the result
-//     o -> x                 says so, whichever way the scanner looks
+//  --------------------      two bare walls: the position along them is that of the guess, and the
+//     o -> x                 result reports the direction, whatever the heading
 //  --------------------
 TEST_P(Uncertainty, ACorridorIsDegenerateAlongItself)
 {

@@ -6,8 +6,8 @@
 
 namespace psmks
 {
-/** `EXPECT_TRUE(isNearly(actual, expected, tol_m, tol_rad))`: prints both poses and their
- * difference where they are farther apart. */
+/** Compares two poses: `EXPECT_TRUE(isNearly(actual, expected, tol_m, tol_rad))`. If they are
+ * farther apart, the failure prints both poses and their difference. */
 inline testing::AssertionResult isNearly(const Pose2& actual, const Pose2& expected, double tol_m,
                                          double tol_rad)
 {

@@ -5,20 +5,20 @@
 
 namespace psmks
 {
-/** What a program left behind. */
+/** The result of a run of a program. */
 struct ProgramRun
 {
-  int exitCode = -1;   //!< -1 where it did not end by itself
-  std::string output;  //!< on stdout
-  std::string errors;  //!< on stderr
+  int exitCode = -1;   //!< -1 if a signal ended it
+  std::string output;  //!< text on stdout
+  std::string errors;  //!< text on stderr
 };
 
-/** Runs a command of the shell, without a terminal. */
+/** Runs a command of the shell without a terminal. */
 ProgramRun runProgram(const std::string& command);
 
-/** Whether gnuplot is installed, without which programs draw no charts. */
+/** Whether gnuplot is installed, which programs need to draw charts. */
 bool hasGnuplot();
 
-/** The whole of a file; empty where there is none. */
+/** The content of a file; empty if there is no such file. */
 std::string fileText(const std::string& path);
 }  // namespace psmks

@@ -10,24 +10,25 @@
 
 namespace psmks::test
 {
-/** Tests of a program that runs in a folder of its own, so that files may be named without one. */
+/** Tests of a program. It runs in a scratch folder, so that files can be named without one. */
 class ProgramTest : public testing::Test
 {
  protected:
-  /** @param program the path of its file */
+  /** @param program path of its file */
   explicit ProgramTest(std::string program);
 
-  /** Of a file in the folder. */
+  /** The path of a file in the folder. */
   std::string path(const std::string& name) const { return folder_.path(name); }
 
-  /** @param arguments as words of the shell
-   *  @param prefix of the command: "NAME=VALUE", "env -u NAME" */
+  /** Runs the program.
+   *  @param arguments as words of the shell
+   *  @param prefix of the command, such as "NAME=VALUE" or "env -u NAME" */
   ProgramRun run(const std::string& arguments, const std::string& prefix = "") const;
 
-  /** On stderr is one line, the program's own word first. */
+  /** Expects one line on stderr that begins with the name of the program. */
   void expectOneSentence(const ProgramRun& run) const;
 
-  /** It ended so, with one sentence that holds every one of the words. */
+  /** Expects an exit code, and one line on stderr that contains all of the words. */
   void expectError(const ProgramRun& run, int exitCode,
                    std::initializer_list<std::string> words) const;
 

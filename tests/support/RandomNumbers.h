@@ -6,8 +6,8 @@
 
 namespace psmks::test
 {
-/** Repeatable random numbers: a failing test that says SCOPED_TRACE(random.seedText()) prints the
- *  seed it ran with. */
+/** Repeatable random numbers. A test that calls SCOPED_TRACE(random.seedText()) prints its seed if
+ * it fails. */
 class RandomNumbers
 {
  public:
@@ -20,7 +20,7 @@ class RandomNumbers
 
   double normal(double sigma) { return std::normal_distribution<double>(0, sigma)(engine_); }
 
-  /** A whole number, both ends included. */
+  /** A whole number between min and max, both included. */
   int integer(int min, int max) { return std::uniform_int_distribution<int>(min, max)(engine_); }
 
   std::string seedText() const { return "seed " + std::to_string(seed_); }

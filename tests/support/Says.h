@@ -8,7 +8,7 @@
 
 namespace psmks::test
 {
-/** For EXPECT_TRUE(says(message, {"key", "value"})): the text holds every one of the words. */
+/** Whether a text contains all of the words: `EXPECT_TRUE(says(message, {"key", "value"}))`. */
 inline testing::AssertionResult says(const std::string& text,
                                      std::initializer_list<std::string> words)
 {

@@ -57,7 +57,8 @@ Line lineOf(const Wall& wall, const Pose2& T_world_sensor)
                               Eigen::Matrix2d::Zero());
 }
 
-/** Gauss-Newton on the ranges from the true line: h = r0 / cos(b - phi0). */
+/** Fits a line to ranges by Gauss-Newton with h = r0 / cos(b - phi0), starting from the true line.
+ */
 Line fitted(Line line, const std::vector<int>& rays, const Scan& scan, double sigma_m)
 {
   constexpr int kSteps = 4;
@@ -81,7 +82,8 @@ Line fitted(Line line, const std::vector<int>& rays, const Scan& scan, double si
   return line;
 }
 
-/** Runs of consecutive rays on one wall; on a closed scan the seam is no edge. */
+/** Runs of consecutive rays on the same wall. On a closed scan a run may pass from the last ray to
+ * the first. */
 std::vector<std::vector<int>> runsOf(const std::vector<int>& wallOfRay, const BeamGrid& grid)
 {
   const auto wallOf = [&](int i) { return wallOfRay[static_cast<std::size_t>(i)]; };

@@ -17,7 +17,7 @@ ScratchFolder::ScratchFolder()
 
 ScratchFolder::~ScratchFolder()
 {
-  std::error_code ignored;  // a folder left behind fails no test
+  std::error_code ignored;  // a folder that cannot be removed must not fail a test
   std::filesystem::remove_all(path_, ignored);
 }
 }  // namespace psmks::test

@@ -5,11 +5,10 @@
 
 namespace psmks::test
 {
-/**
- * A folder of its own for what a test writes, below testing::TempDir(); at its end it is removed
- * with all that is in it. No two share a path, whatever tests run at once, in this process and in
- * others. Throws std::system_error where no folder can be made.
- */
+/** A folder below testing::TempDir() for the files of one test. The destructor removes it with all
+ * its content. All scratch folders have different paths, also those of tests that run at the same
+ * time in other processes.
+ *  @throws std::system_error if the folder cannot be created */
 class ScratchFolder
 {
  public:
@@ -18,9 +17,9 @@ class ScratchFolder
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  /** Absolute, without a slash at the end. */
+  /** The absolute path without a slash at its end. */
   const std::string& path() const { return path_; }
-  /** Of a file in it, which need not exist. */
+  /** The path of a file in the folder, which need not exist. */
   std::string path(const std::string& name) const { return path_ + '/' + name; }
 
  private:

@@ -5,7 +5,7 @@
 
 namespace psmks::test
 {
-/** The text of the Exception that `action` throws; "nothing was thrown" if it throws none. */
+/** The text of the Exception that `action` throws, or "nothing was thrown". */
 template <class Exception, class Action>
 std::string thrownText(Action action)
 {
