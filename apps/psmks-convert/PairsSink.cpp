@@ -11,7 +11,7 @@ namespace psmks
 namespace
 {
 /** Sets the ranges of rays without return to 0, as in files of scan pairs. */
-void flattenInvalid(Scan& scan)
+void setInvalidToZero(Scan& scan)
 {
   for (std::size_t ray = 0; ray < scan.range_m.size(); ++ray)
     if (!scan.valid[ray] || !std::isfinite(scan.range_m[ray])) scan.range_m[ray] = 0;
@@ -59,7 +59,7 @@ std::optional<PairsSink::Taken> PairsSink::taken(const LaserFrame& frame)
   }
   Taken taken{converter_.convert(*frame.scan), sensorMounting(*frame.scan).T_robot_sensor,
               truth_[*truth].pose};
-  flattenInvalid(taken.scan);
+  setInvalidToZero(taken.scan);
   if (header_.grid.count() == 0) header_ = {taken.scan.grid, taken.scan.maxRange_m, 0};
   if (header_.grid.count() > 0 && taken.scan.grid == header_.grid) return taken;
   ++withOtherRays_;

@@ -30,8 +30,8 @@ bool areDistinct(const std::vector<std::string>& names)
          std::count(names.begin(), names.end(), "") == 0;
 }
 
-std::string nothingInCommon(const std::string& path, const Trajectory& estimate,
-                            const Trajectory& truth)
+std::string noCommonPosesText(const std::string& path, const Trajectory& estimate,
+                              const Trajectory& truth)
 {
   const std::string sentence = "the ground truth has no pose at the time of any of " + path;
   if (!isNumbered(truth)) return sentence;
@@ -69,7 +69,7 @@ std::vector<CommonPose> requireCommonPoses(const std::string& path, const Trajec
                                            const Trajectory& truth, std::size_t skipped)
 {
   auto common = commonPoses(estimate, truth);
-  if (common.empty()) throw ProgramError(kNothingToDo, nothingInCommon(path, estimate, truth));
+  if (common.empty()) throw ProgramError(kNothingToDo, noCommonPosesText(path, estimate, truth));
   if (common.size() <= skipped)
     throw ProgramError(kNothingToDo, "all " + std::to_string(common.size()) +
                                          " poses in common of " + path + " are to be skipped");

@@ -111,7 +111,7 @@ std::vector<Table> poseTables(const std::vector<Comparison>& comparisons, const 
 {
   TablesOf of(comparisons, c.limit, Squares::Empty);
   of.add("poses, first laid over", [](const Comparison& comparison)
-         { return absoluteErrors(comparison.common, layFirstPoseOver(comparison.common)); });
+         { return absoluteErrors(comparison.common, alignAtFirstPose(comparison.common)); });
   of.add("poses, aligned", [](const Comparison& comparison)
          { return absoluteErrors(comparison.common, align(comparison.common)); });
   of.add("steps", [](const Comparison& comparison) { return stepErrors(comparison.common); });

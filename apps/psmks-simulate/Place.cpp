@@ -139,7 +139,7 @@ Place makePlace(const CommandLine& c)
   }
 }
 
-void requireRoom(const Place& place, double robotRadius_m)
+void requireSpace(const Place& place, double robotRadius_m)
 {
   const Eigen::Vector2d start_m = place.T_world_start.translation();
   if (place.surroundings->clearance_m(start_m, robotRadius_m, 0) >= robotRadius_m) return;
@@ -153,7 +153,7 @@ void requireRoom(const Place& place, double robotRadius_m)
 Place loadPlace(const CommandLine& commandLine, double robotRadius_m)
 {
   Place place = makePlace(commandLine);
-  requireRoom(place, robotRadius_m);
+  requireSpace(place, robotRadius_m);
   return place;
 }
 }  // namespace psmks

@@ -23,8 +23,8 @@ void showMap(const ScanMap& map)
 {
   constexpr unsigned kWidth_px = 1000, kHeight_px = 800;
   constexpr float kElevation_deg = 80, kAzimuth_deg = -90;
-  constexpr float kDistancePerSize =
-      1.5f;  // distance of the camera from which the whole map is seen, over the size of the map
+  /** Distance of the camera from which the whole map is seen, over the size of the map. */
+  constexpr float kDistancePerSize = 1.5f;
 
   mrpt::gui::CDisplayWindow3D window("psmks-slam", kWidth_px, kHeight_px);
   const auto scene = makeMapScene(map);

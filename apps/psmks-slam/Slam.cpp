@@ -82,7 +82,7 @@ ExitCode Slam::run()
   printSummary(std::cout, summary);
   std::cout << "map              " << output_.file("map.png") << '\n';
   if (commandLine_.view) showMap(makeScanMap(builder_.scans(), options_.matching.matcher));
-  return verdict(summary);
+  return exitCodeOfRun(summary);
 }
 
 RunSummary Slam::writeResults()
@@ -213,7 +213,7 @@ Summary Slam::trajectorySummary() const
   return result;
 }
 
-ExitCode Slam::verdict(const RunSummary& run) const
+ExitCode Slam::exitCodeOfRun(const RunSummary& run) const
 {
   const Summary& result = run.trajectory;
   if (!reader_->damage().empty())

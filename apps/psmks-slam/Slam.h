@@ -41,7 +41,7 @@ class Slam
   RunSummary writeResults();
   void divideBuildingTime();
   void requireScans() const;
-  ExitCode verdict(const RunSummary& summary) const;
+  ExitCode exitCodeOfRun(const RunSummary& summary) const;
 
   CommandLine commandLine_;
   SlamOptions options_;

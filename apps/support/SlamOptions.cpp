@@ -29,7 +29,7 @@ bool hasSection(const OptionTable& table, const std::string& name)
                      [&](const OptionTable::Section& section) { return section.name == name; });
 }
 
-bool holdsOurSections(const mrpt::config::CConfigFile& file)
+bool hasOurSections(const mrpt::config::CConfigFile& file)
 {
   std::vector<std::string> sections;
   file.getAllSections(sections);
@@ -47,7 +47,7 @@ void SlamOptions::load(const std::string& path)
   if (!std::filesystem::is_regular_file(path))
     throw OptionError("configuration file '" + path + "': no such file");
   const mrpt::config::CConfigFile file(path);
-  if (!holdsOurSections(file))
+  if (!hasOurSections(file))
     throw OptionError("configuration file '" + path +
                       "': holds neither a section [psmks.<stage>] nor [slam.<stage>]");
   matching.loadFromConfigFile(file, kMatchingSection);

@@ -15,8 +15,8 @@ using namespace mrpt::opengl;
 
 namespace
 {
-constexpr double kWallHeight_m = 0.02,
-                 kPathHeight_m = 0.05;  // above the points, so that these do not hide them
+/** Above the points, so that these do not hide them. */
+constexpr double kWallHeight_m = 0.02, kPathHeight_m = 0.05;
 
 CGridPlaneXY::Ptr makeGrid(const ScanMap& map)
 {

@@ -15,8 +15,9 @@ namespace
 {
 std::vector<CommonPose> commonByStamp(const Trajectory& estimate, const Trajectory& truth)
 {
-  constexpr double kAsDense = 1.5;  // a truth with larger steps than this many of the estimate is
-                                    // not as dense; stamps jitter
+  /** The truth is as dense as the estimate if its steps are at most this many times as long. The
+   * margin allows for stamps that jitter. */
+  constexpr double kAsDense = 1.5;
   std::vector<CommonPose> common;
   double last_s = -std::numeric_limits<double>::infinity();
   for (const auto& [stamp_s, pose] : estimate)

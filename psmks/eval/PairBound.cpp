@@ -125,8 +125,8 @@ class ErrorDraws
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  static constexpr double kOpen_m = 0.5,
-                          kOpen_rad = degToRad(20);  // larger sigmas count as infinite
+  /** Larger sigmas count as infinite. */
+  static constexpr double kOpen_m = 0.5, kOpen_rad = degToRad(20);
 
   /** The information of the position if the heading is estimated too. */
   static Eigen::Matrix2d positionInformation(const Eigen::Matrix3d& information)

@@ -65,7 +65,7 @@ double rotationBetween(const std::vector<CommonPose>& common, const Centroids& c
 }
 }  // namespace
 
-Pose2 layFirstPoseOver(const std::vector<CommonPose>& common)
+Pose2 alignAtFirstPose(const std::vector<CommonPose>& common)
 {
   if (common.empty()) return {};
   return common.front().T_true * common.front().T_estimated.inverse();

@@ -10,7 +10,7 @@ namespace psmks
 {
 /** The transformation T_truth_estimate that makes estimate and truth coincide at the first common
  * pose, as in the paper. It is the identity without poses. */
-Pose2 layFirstPoseOver(const std::vector<CommonPose>& common);
+Pose2 alignAtFirstPose(const std::vector<CommonPose>& common);
 
 /** The transformation T_truth_estimate with the least sum of squared distances between the
  * positions (Umeyama, IEEE PAMI 13 (1991), in the plane and without scale). If the positions do not

@@ -9,7 +9,7 @@ TrajectoryError trajectoryError(const Trajectory& estimate, const Trajectory& tr
 {
   const auto common = commonPoses(estimate, truth);
   const auto errors =
-      errorStatistics(absoluteErrors(common, layFirstPoseOver(common)), kSuccessLimit);
+      errorStatistics(absoluteErrors(common, alignAtFirstPose(common)), kSuccessLimit);
   const ErrorStatistics &position = errors.translation_m, &heading = errors.rotation_rad;
   return {errors.count, position.mean, position.rms, position.max,
           heading.mean, heading.rms,   heading.max};

@@ -8,12 +8,12 @@ namespace psmks
 /** How well an information matrix of (x, y, phi) constrains the position and the heading. */
 struct Observability
 {
-  Eigen::Vector2d weakDirection =
-      Eigen::Vector2d::UnitX();  //!< unit vector along which the position is least certain
-  double weakSigma_m =
-      0;  //!< standard deviation along it if the heading is estimated too; may be infinite
-  double headingSigma_rad =
-      0;  //!< standard deviation of the heading if the position is estimated too; may be infinite
+  /** Unit vector along which the position is least certain. */
+  Eigen::Vector2d weakDirection = Eigen::Vector2d::UnitX();
+  /** Standard deviation along it if the heading is estimated too; may be infinite. */
+  double weakSigma_m = 0;
+  /** Standard deviation of the heading if the position is estimated too; may be infinite. */
+  double headingSigma_rad = 0;
 };
 
 /** Finds the weak direction and its standard deviation from the smaller eigenvalue of the Schur

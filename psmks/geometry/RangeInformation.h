@@ -10,9 +10,9 @@ namespace psmks
 struct SurfaceContact
 {
   Eigen::Vector2d normal;  //!< unit vector, normal to the surface
-  Eigen::Vector3d
-      surfaceRow;  //!< derivative of the surface's place along the normal by each unknown
-  int unknowns;    //!< number of unknowns of the object: 2 of a line, 3 of a circle
+  /** Derivative of the surface's place along the normal by each unknown. */
+  Eigen::Vector3d surfaceRow;
+  int unknowns;  //!< number of unknowns of the object: 2 of a line, 3 of a circle
 
   /** The contact with a line, whose unknowns are its distance and its angle about the anchor.
    *  @param normal unit vector
@@ -30,8 +30,8 @@ struct SurfaceRay
   Eigen::Vector2d origin_m, direction;
   double range_m;
   double noise_m;  //!< measured minus true range; 0 if it is not known
-  bool
-      fromCurrent;  //!< true for a ray of the current scan, which moves with the error of T_ref_cur
+  /** True for a ray of the current scan, which moves with the error of T_ref_cur. */
+  bool fromCurrent;
   double weight = 1;  //!< see RangeNoise::weightAt()
 };
 

@@ -15,8 +15,8 @@ namespace psmks
 struct RangeNoise
 {
   double sigma_m = 0;  //!< standard deviation at range 0; 0 = unknown
-  double sigmaPerMetre_m =
-      0;  //!< growth of the standard deviation; 0 = the noise is the same at all ranges
+  /** Growth of the standard deviation; 0 = the noise is the same at all ranges. */
+  double sigmaPerMetre_m = 0;
 
   bool grows() const { return sigmaPerMetre_m > 0; }
 

@@ -82,16 +82,16 @@ const BeamGrid& CarmenGeometry::grid(const CarmenScanner& stated, int rays)
 {
   const auto fieldOfView_rad =
       firstOf(options_.fieldOfView_rad, stated.fieldOfView_rad, parameters_.fieldOfView_rad);
-  const auto said_rad =
+  const auto stated_rad =
       firstOf(options_.increment_rad, stated.increment_rad, parameters_.increment_rad);
-  const double increment_rad = said_rad && fitsRound(*said_rad, rays)
-                                   ? *said_rad
+  const double increment_rad = stated_rad && fitsRound(*stated_rad, rays)
+                                   ? *stated_rad
                                    : spread_rad(fieldOfView_rad.value_or(kHalfCircle_rad), rays);
 
   const double centered_rad = -fieldOfView_rad.value_or(increment_rad * stepsOf(rays)) / 2;
-  const bool userKnows = options_.fieldOfView_rad.has_value();
+  const bool isSetByUser = options_.fieldOfView_rad.has_value();
   const double first_rad =
-      userKnows ? centered_rad : stated.firstBearing_rad.value_or(centered_rad);
+      isSetByUser ? centered_rad : stated.firstBearing_rad.value_or(centered_rad);
   const bool isKnown = grid_.count() == rays && grid_.firstBearing_rad() == first_rad &&
                        grid_.increment_rad() == increment_rad;
   if (!isKnown) grid_ = BeamGrid(first_rad, increment_rad, rays);
@@ -101,10 +101,10 @@ const BeamGrid& CarmenGeometry::grid(const CarmenScanner& stated, int rays)
 double CarmenGeometry::maxRange_m(const CarmenScanner& stated) const
 {
   if (options_.maxRange_m) return *options_.maxRange_m;
-  const auto said_m = firstOf(stated.maxRange_m, parameters_.maxRange_m);
+  const auto statedMaxRange_m = firstOf(stated.maxRange_m, parameters_.maxRange_m);
   const double read_m = noReturn_.limit_m();
-  if (!said_m) return read_m;
-  return noReturn_.isCode() ? std::min(*said_m, read_m) : *said_m;
+  if (!statedMaxRange_m) return read_m;
+  return noReturn_.isCode() ? std::min(*statedMaxRange_m, read_m) : *statedMaxRange_m;
 }
 
 double CarmenGeometry::beamTurn_s(const std::optional<CarmenScanner>& stated)

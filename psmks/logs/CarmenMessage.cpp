@@ -152,7 +152,7 @@ bool parseOdometry(Words& words, CarmenMessage& message)
          readStamps(words, message);
 }
 
-CarmenKind ifWhole(bool whole, CarmenKind kind) { return whole ? kind : CarmenKind::Malformed; }
+CarmenKind kindIf(bool whole, CarmenKind kind) { return whole ? kind : CarmenKind::Malformed; }
 }  // namespace
 
 void parseCarmenMessage(std::string_view line, CarmenMessage& message)
@@ -162,11 +162,11 @@ void parseCarmenMessage(std::string_view line, CarmenMessage& message)
   message.scanner.reset();
   message.kind = CarmenKind::Other;
   if (message.name == "FLASER" || message.name == "RLASER")
-    message.kind = ifWhole(parseLaser(words, message), CarmenKind::Scan);
+    message.kind = kindIf(parseLaser(words, message), CarmenKind::Scan);
   else if (message.name == "ROBOTLASER1" || message.name == "ROBOTLASER2")
-    message.kind = ifWhole(parseRobotLaser(words, message), CarmenKind::Scan);
+    message.kind = kindIf(parseRobotLaser(words, message), CarmenKind::Scan);
   else if (message.name == "ODOM")
-    message.kind = ifWhole(parseOdometry(words, message), CarmenKind::Odometry);
+    message.kind = kindIf(parseOdometry(words, message), CarmenKind::Odometry);
   else if (message.name == "PARAM")
   {
     message.name = words.next();

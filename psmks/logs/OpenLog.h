@@ -12,8 +12,8 @@ namespace psmks
 {
 struct LogOptions
 {
-  std::optional<std::string>
-      sensorLabel;  //!< the sensor to read; by default that of the first scan
+  /** The sensor to read; by default that of the first scan. */
+  std::optional<std::string> sensorLabel;
   CarmenOptions carmen;
 };
 

@@ -26,8 +26,8 @@ struct Associations
   std::vector<Association> pairs;
   int refused = 0;  //!< rays that meet a reference segment, but none similar to their own
 
-  std::vector<std::uint8_t>
-      similar;  //!< 1 if two segments are similar; a row for each current segment
+  /** 1 if two segments are similar; a row for each current segment. */
+  std::vector<std::uint8_t> similar;
   std::vector<Eigen::Vector2d> normals;  //!< of the reference segments, in their order
 };
 

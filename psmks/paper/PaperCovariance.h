@@ -47,8 +47,8 @@ class PaperCovariance
   void addPair(const Line& current, const Line& reference, const Pose2& T_ref_cur,
                const PairSum& pair);
 
-  std::vector<PairSum>
-      pairs_;  //!< a row for each current segment, a column for each reference segment
+  /** A row for each current segment, a column for each reference segment. */
+  std::vector<PairSum> pairs_;
   Eigen::Matrix3d information_ = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d slopes_ = Eigen::Matrix3d::Zero();  //!< Z'W J
   Eigen::Matrix3d noise_ = Eigen::Matrix3d::Zero();   //!< Z'W H cov(d) H'W Z

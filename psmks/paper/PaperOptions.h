@@ -35,23 +35,23 @@ struct PaperOptions
   double mahalanobisGate = 0;  //!< 0 = off, as in the paper
   GateOrientation gateOrientation = GateOrientation::Tested;
   int minAssociations = 30;
-  double minAssociationShare =
-      0.9;  //!< poses with a smaller share of another's associations are never better; 0 = off
+  /** Poses with a smaller share of another's associations are never better; 0 = off. */
+  double minAssociationShare = 0.9;
   double coarseRange_rad = degToRad(20);
   double coarseStep_rad = degToRad(1);
   double fineRange_rad = degToRad(1);
   double fineStep_rad = degToRad(0.1);
-  double maxResidual_m =
-      0.05;  //!< a match with a larger root mean square of residuals fails; 0 = off
+  /** A match with a larger root mean square of residuals fails; 0 = off. */
+  double maxResidual_m = 0.05;
   TranslationJacobian jacobian = TranslationJacobian::FrozenBearing;
   TranslationSolver translationSolver = TranslationSolver::ClosedForm;
-  int stepHalvings =
-      3;  //!< how often a translation step is halved in search of a better one; 0 = never
+  /** How often a translation step is halved in search of a better one; 0 = never. */
+  int stepHalvings = 3;
   int maxIterations = 30;
   double stopTranslation_m = 1e-3;
   double stopRotation_rad = degToRad(0.05);
-  double weakDirectionSigma_m =
-      0.05;  //!< a direction with a larger standard deviation is unobservable
+  /** A direction with a larger standard deviation is unobservable. */
+  double weakDirectionSigma_m = 0.05;
   double weakHeadingSigma_rad = degToRad(1.0);
 };
 

@@ -149,12 +149,12 @@ class PaperMatch
     result_.errorAfter = final.value.error;
     result_.associations = final.value.associations;
     buffers_.covariance.assign(buffers_.objective, estimate.T_ref_cur);
-    settleCovariance(observability(buffers_.covariance.information()));
+    finishCovariance(observability(buffers_.covariance.information()));
     result_.score = freeSpaceScoreAt(result_.T_ref_cur);
     result_.times.scoring_s += watch.lap_s();
   }
 
-  void settleCovariance(const Observability& o)
+  void finishCovariance(const Observability& o)
   {
     const Eigen::Matrix3d guessed = result_.covariance;
     result_.headingUnobservable = o.headingSigma_rad > options_.weakHeadingSigma_rad;

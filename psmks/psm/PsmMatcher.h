@@ -24,11 +24,11 @@ struct PsmResult
 {
   PsmStatus status = PsmStatus::NotRun;
   Pose2 T_ref_cur;
-  Eigen::Matrix3d covariance =
-      Eigen::Matrix3d::Identity();  //!< of (x, y, phi); set if the match is usable
-  double errorIndex_m = 0;          //!< see PsmOptions::errorIndex; set if the match is usable
-  int pairs = 0;                    //!< number of pairs in the last translation step
-  int iterations = 0;               //!< number of orientation and translation steps
+  /** Of (x, y, phi); set if the match is usable. */
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  double errorIndex_m = 0;  //!< see PsmOptions::errorIndex; set if the match is usable
+  int pairs = 0;            //!< number of pairs in the last translation step
+  int iterations = 0;       //!< number of orientation and translation steps
 
   bool usable() const
   {

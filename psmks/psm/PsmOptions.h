@@ -33,8 +33,8 @@ struct PsmOptions
   // Pairs of rays in the translation step
   double minProjectedRange_m = 0.1;
   double maxPairDifference_m = 1;  //!< largest difference of two paired ranges
-  double minPairedArc_rad =
-      degToRad(40);  //!< least number of pairs times increment; 40 rays of 1 degree
+  /** Least number of pairs times increment; 40 rays of 1 degree. */
+  double minPairedArc_rad = degToRad(40);
 
   // Weights C / (d^2 + C) of a range difference d (Dudek and Jenkin), by the root of C
   double weightScale_m = 0.7;
@@ -58,8 +58,8 @@ struct PsmOptions
   double errorStep_m = 0.01;    //!< the covariance is enlarged in proportion to these steps
 
   // Corridor test
-  double corridorSpread_rad =
-      degToRad(25);  //!< a smaller spread of the directions of surfaces is a corridor
+  /** A smaller spread of the directions of surfaces is a corridor. */
+  double corridorSpread_rad = degToRad(25);
   double chordArc_rad = degToRad(1);  //!< angle between the ends of a chord; 1 ray of an LMS200
 };
 }  // namespace psmks

@@ -24,8 +24,8 @@ enum class PsmTag : std::uint8_t
 /** A scan prepared for polar scan matching: filtered, tagged and segmented. */
 struct PsmScan
 {
-  static constexpr int kLone =
-      0;  //!< the segment of rays that lie on no surface or have no reading
+  /** The segment of rays that lie on no surface or have no reading. */
+  static constexpr int kLone = 0;
 
   BeamGrid grid;
   double maxRange_m = 0;        //!< infinite if there is no limit

@@ -102,11 +102,10 @@ bool LineGrowing::seedAt(int position, LineInformation& sums) const
 template <class Filter>
 int LineGrowing::growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit)
 {
-  int last = from, hole = 0, sinceOutlier = kOutlierMemory;
-  int lastBeforeOutlier = from;
-  LineInformation sumsBeforeOutlier = run.sums;
-  Filter filterBeforeOutlier = filter;
+  int hole = 0, sinceOutlier = kOutlierMemory;
   int sinceRefusal = RaySoA::kBlock;  // rays that went singly since a block was refused
+  int last = from;
+  BeforeOutlier<Filter> beforeOutlier{from, run.sums, filter};
   for (int p = from + step; p != limit + step && hole <= kLongestHole; p += step)
   {
     if (sinceRefusal >= RaySoA::kBlock)
@@ -121,35 +120,44 @@ int LineGrowing::growSide(Filter& filter, LineRun& run, int index, int from, int
       sinceRefusal = 0;
     }
     ++sinceRefusal;
-    if (!rays_.valid(p))
+    hole = rays_.valid(p) ? 0 : hole + 1;
+    if (hole > 0) continue;
+    if (takeRay(filter, run, index, p))
     {
-      ++hole;
-      continue;
-    }
-    hole = 0;
-    if (const MeasuredRay ray = rays_.measured(p); filter.accepts(ray, options_.innovationGate))
-    {
-      run.sums.addMoments(moments(p));
-      filter.update(ray, run.sums);
-      mark(p) = index;
       last = p;
       ++sinceOutlier;
       continue;
     }
-    if (sinceOutlier < kOutlierMemory)
-    {
-      reassign(std::min(lastBeforeOutlier + step, p), std::max(lastBeforeOutlier + step, p), index,
-               SegmentedScan::kNoSegment);
-      run.sums = sumsBeforeOutlier;
-      filter = filterBeforeOutlier;
-      return lastBeforeOutlier;
-    }
-    lastBeforeOutlier = last;
-    sumsBeforeOutlier = run.sums;
-    filterBeforeOutlier = filter;
+    if (sinceOutlier < kOutlierMemory) return restore(beforeOutlier, filter, run, index, p, step);
+    beforeOutlier = {last, run.sums, filter};
     sinceOutlier = 0;
   }
   return last;
+}
+
+/** Grows a line by the valid ray at a position, if its filter accepts it. */
+template <class Filter>
+bool LineGrowing::takeRay(Filter& filter, LineRun& run, int index, int position)
+{
+  const MeasuredRay ray = rays_.measured(position);
+  if (!filter.accepts(ray, options_.innovationGate)) return false;
+  run.sums.addMoments(moments(position));
+  filter.update(ray, run.sums);
+  mark(position) = index;
+  return true;
+}
+
+/** Takes from a line the rays that it has accepted since an outlier, up to the position `reached`.
+ *  @return the last position of the line before the outlier */
+template <class Filter>
+int LineGrowing::restore(const BeforeOutlier<Filter>& before, Filter& filter, LineRun& run,
+                         int index, int reached, int step)
+{
+  const int next = before.last + step;
+  reassign(std::min(next, reached), std::max(next, reached), index, SegmentedScan::kNoSegment);
+  run.sums = before.sums;
+  filter = before.filter;
+  return before.last;
 }
 
 /** Grows a line by the block of rays that comes next, if it accepts all of them. */

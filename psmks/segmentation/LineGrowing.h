@@ -46,10 +46,24 @@ class LineGrowing
   bool cut(const LineRun& run, int mark, LineRun& left, LineRun& right) const;
 
  private:
+  /** The state of a growing line before the last outlier that it passed over. */
+  template <class Filter>
+  struct BeforeOutlier
+  {
+    int last;  //!< position of its last ray
+    LineInformation sums;
+    Filter filter;
+  };
+
   template <class Filter>
   void growAll(const Filter& fresh);
   template <class Filter>
   int growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit);
+  template <class Filter>
+  bool takeRay(Filter& filter, LineRun& run, int index, int position);
+  template <class Filter>
+  int restore(const BeforeOutlier<Filter>& before, Filter& filter, LineRun& run, int index,
+              int reached, int step);
   template <class Filter>
   bool takeBlock(Filter& filter, LineRun& run, int index, int from, int step, int limit);
   template <class Filter>

@@ -14,8 +14,8 @@ constexpr double kReachGrowth = 1.025;  // factor of the reach in each control c
 constexpr double kCautiousShare =
     0.25;  // of the full reach: the reach after the robot has become cautious
 constexpr double kLeastSideShare =
-    0.15;                               // a side with a smaller share of all rays is not driven to
-constexpr double kForegoneShare = 0.1;  // a side with a smaller probability is never chosen
+    0.15;  // a side with a smaller share of all rays is not driven to
+constexpr double kLeastProbability = 0.1;  // a side with a smaller probability is never chosen
 constexpr double kWayWidth_radii =
     1.1;  // half the width of the strip that must be free, in radii of the robot
 constexpr double kWayLength_radii = 1.25;  // length of this strip beyond the path of kWayTime_s
@@ -35,7 +35,7 @@ constexpr double kLeastSplitAngle_rad = degToRad(10);
 constexpr double kLookAhead_s = 1.2;
 constexpr double kLookStep_s = 0.2;
 constexpr double kLeastSpeedShare = 0.2;
-constexpr double kGiveWay_rad = degToRad(40);
+constexpr double kEvasiveTurn_rad = degToRad(40);
 constexpr double kStandstill_s = 12;
 constexpr double kStandstill_m = 0.4;
 constexpr double kLaneWidth_m = 0.9;
@@ -71,7 +71,7 @@ WheelSpeeds AreaCenterDriver::drive(const DriverView& view)
   if (const auto speeds = safe(toward(*target), fan)) return *speeds;
   const bool leftIsFreer =
       fan.sector(0, kSectorEdge_rad).meanRange_m() > fan.sector(-kSectorEdge_rad, 0).meanRange_m();
-  turnBy(view, leftIsFreer ? kGiveWay_rad : -kGiveWay_rad);
+  turnBy(view, leftIsFreer ? kEvasiveTurn_rad : -kEvasiveTurn_rad);
   return {};
 }
 
@@ -100,11 +100,11 @@ void AreaCenterDriver::watchForStandstill(const DriverView& view, const RayFan& 
   checked_s_ = view.time_s;
   if (moved_m > kStandstill_m) return;
 
-  std::uniform_real_distribution<double> favour(0.7, 1.3);
+  std::uniform_real_distribution<double> randomFactor(0.7, 1.3);
   double longest_m = 0, best_rad = 0;
   for (double bearing = -kPi / 2; bearing <= kPi / 2; bearing += degToRad(5))
   {
-    const double lane_m = fan.lane_m(bearing, kLaneWidth_m) * favour(random_);
+    const double lane_m = fan.lane_m(bearing, kLaneWidth_m) * randomFactor(random_);
     if (lane_m <= longest_m) continue;
     longest_m = lane_m;
     best_rad = bearing;
@@ -112,7 +112,7 @@ void AreaCenterDriver::watchForStandstill(const DriverView& view, const RayFan& 
   turnBy(view, best_rad);
 }
 
-void AreaCenterDriver::beCautious()
+void AreaCenterDriver::reduceReach()
 {
   reach_m_ = kCautiousShare * options_.fullReach_m;
   rightSplit_m_.reset();
@@ -131,7 +131,7 @@ std::optional<WheelSpeeds> AreaCenterDriver::turning(const DriverView& view)
   if (std::abs(left_rad) < kStraight_rad)
   {
     turnTo_rad_.reset();
-    beCautious();
+    reduceReach();
     return std::nullopt;
   }
   const double rim_mps =
@@ -151,7 +151,7 @@ std::optional<AreaCenterDriver::Target> AreaCenterDriver::target(const RayFan& f
   const RayFan sector = openSector(fan).clipped(reach_m_);
   if (const auto found = centreOf(sector, fan, speed_mps)) return found;
   if (const auto found = split(sector, fan, speed_mps)) return found;
-  beCautious();
+  reduceReach();
   return centreOf(fan.clipped(reach_m_), fan, speed_mps);
 }
 
@@ -176,8 +176,8 @@ std::optional<AreaCenterDriver::Target> AreaCenterDriver::split(const RayFan& se
   if (narrow || (!right.target && !left.target)) return std::nullopt;
 
   double leftLikely = left.weight / (left.weight + right.weight);
-  if (leftLikely < kForegoneShare) leftLikely = 0;
-  if (leftLikely > 1 - kForegoneShare) leftLikely = 1;
+  if (leftLikely < kLeastProbability) leftLikely = 0;
+  if (leftLikely > 1 - kLeastProbability) leftLikely = 1;
   if (!left.target) leftLikely = 0;
   if (!right.target) leftLikely = 1;
   const bool goLeft = std::bernoulli_distribution(leftLikely)(random_);
@@ -209,8 +209,8 @@ bool AreaCenterDriver::isAccessible(const Eigen::Vector2d& centre_m, const RayFa
   const Eigen::Vector2d bend_m(half_m, 0);
   const Eigen::Vector2d end_m = bend_m + half_m * (centre_m - bend_m).normalized();
   const double needed_m = kWayWidth_radii * robot_.radius_m;
-  return fan.wayClearance_m({0, 0}, bend_m) > needed_m &&
-         fan.wayClearance_m(bend_m, end_m) > needed_m;
+  return fan.pathClearance_m({0, 0}, bend_m) > needed_m &&
+         fan.pathClearance_m(bend_m, end_m) > needed_m;
 }
 
 // The centroid of a free sector lies at a distance of 2/3 of its radius times sin(A) / A, with A

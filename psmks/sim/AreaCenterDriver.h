@@ -56,7 +56,7 @@ class AreaCenterDriver : public Driver
   std::optional<WheelSpeeds> turning(const DriverView& view);
 
   /** Forgets all splits and reduces the reach to the near surroundings. */
-  void beCautious();
+  void reduceReach();
 
   /** The centre of the area between the splits, or of one side of an obstacle, or else of the near
    * surroundings; nothing if none of them can be reached. */

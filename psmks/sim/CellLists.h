@@ -43,8 +43,8 @@ class CellLists
   }
 
  private:
-  std::vector<std::size_t>
-      firstOfCell_;  //!< index of the first item of each cell, then the number of all items
+  /** Index of the first item of each cell, then the number of all items. */
+  std::vector<std::size_t> firstOfCell_;
   std::vector<Item> items_;
 };
 }  // namespace psmks

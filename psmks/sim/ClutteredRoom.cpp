@@ -57,7 +57,8 @@ void ClutteredRoom::addFreeWalls(int count, double minLength_m, double maxLength
   }
 }
 
-void ClutteredRoom::addRoundThings(int count, double minRadius_m, double maxRadius_m, bool withArcs)
+void ClutteredRoom::addRoundObjects(int count, double minRadius_m, double maxRadius_m,
+                                    bool withArcs)
 {
   constexpr double kMinArc_rad = kPi, kMaxArc_rad = kPi * 5 / 3;
   for (int i = 0; i < count; ++i)
@@ -70,7 +71,7 @@ void ClutteredRoom::addRoundThings(int count, double minRadius_m, double maxRadi
   }
 }
 
-void ClutteredRoom::drawRoundThings(int points)
+void ClutteredRoom::drawRoundObjects(int points)
 {
   double total_m = 0, before_m = 0;
   for (const Arc& arc : arcs_) total_m += arc.length_m();
@@ -78,9 +79,9 @@ void ClutteredRoom::drawRoundThings(int points)
   for (const Arc& arc : arcs_)
   {
     before_m += arc.length_m();
-    const int upToHere = static_cast<int>(std::lround(points * (before_m / total_m)));
-    world_.addArc(arc.circle, arc.first_rad, arc.last_rad, upToHere - drawn);
-    drawn = upToHere;
+    const int pointsUntilHere = static_cast<int>(std::lround(points * (before_m / total_m)));
+    world_.addArc(arc.circle, arc.first_rad, arc.last_rad, pointsUntilHere - drawn);
+    drawn = pointsUntilHere;
   }
 }
 
@@ -149,9 +150,9 @@ Site makeCurved(unsigned seed)
   {
     ClutteredRoom room(kCurvedRoom_m, 1.4, attempt);
     addClutter(room);
-    room.addRoundThings(31, 0.2, 0.6, true);
-    room.addRoundThings(33, 0.02, 0.06, false);
-    room.drawRoundThings(kPoints);
+    room.addRoundObjects(31, 0.2, 0.6, true);
+    room.addRoundObjects(33, 0.02, 0.06, false);
+    room.drawRoundObjects(kPoints);
     return room;
   };
   return firstComplete(seed, layOut);

@@ -28,12 +28,12 @@ class ClutteredRoom
   void addFreeWalls(int count, double minLength_m, double maxLength_m);
 
   /** Reserves places for round objects. With arcs, every third of them is an open arc. Their points
-   * are added by drawRoundThings(). */
-  void addRoundThings(int count, double minRadius_m, double maxRadius_m, bool withArcs);
+   * are added by drawRoundObjects(). */
+  void addRoundObjects(int count, double minRadius_m, double maxRadius_m, bool withArcs);
 
   /** Distributes a number of points over all round objects, with the same spacing on each of them.
    */
-  void drawRoundThings(int points);
+  void drawRoundObjects(int points);
 
   /** Whether everything found a place. If not, the layout has to be tried again with another seed.
    */

@@ -12,8 +12,8 @@ constexpr std::size_t kWalls = 420;
 constexpr double kLength_m = 32, kCorridor_m = 1.8;
 constexpr double kOuterRoomDepth_m = 4.1, kInnerRoomDepth_m = 4.05;
 constexpr double kSouth_m = 4.1, kNorth_m = 20 - 4.1;  // outer sides of the long corridors
-constexpr double kWest_m = 15.1,
-                 kEast_m = kWest_m + kCorridor_m;  // sides of the corridor that joins them
+/** Sides of the corridor that joins them. */
+constexpr double kWest_m = 15.1, kEast_m = kWest_m + kCorridor_m;
 
 /** Letters for Building::addRooms(): open doors at a random end of each room. */
 std::string openDoors(int rooms, std::mt19937_64& random)

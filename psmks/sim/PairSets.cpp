@@ -74,16 +74,16 @@ class PairMaker
    *  @return false if the chosen place does not suit a pair */
   bool place(SimulatedPair& pair, std::mt19937_64& random) const
   {
-    constexpr int kStrollWays =
-        40;  // enough straight walks to reach every room from the middle of a floor
+    /** Enough straight walks to reach every room from the middle of a floor. */
+    constexpr int kStrollWays = 40;
     WalkerOptions robot;
     robot.elbowRoom_m = kSensorClearance_m;
     Walker walker(world(pair), starts_[pair.world].translation(), robot, random);
     if (!walker.walkOn(kStrollWays)) return false;
     pair.T_world_ref = {walker.place_m().x(), walker.place_m().y(), draw(random, -kPi, kPi)};
     pair.T_ref_cur_true = drawMotion(family_, random);
-    if (!isWayFree(world(pair), pair.T_world_ref.translation(), pair.T_world_cur().translation(),
-                   kSensorClearance_m))
+    if (!isPathFree(world(pair), pair.T_world_ref.translation(), pair.T_world_cur().translation(),
+                    kSensorClearance_m))
       return false;
     return placePeople(pair, random);
   }
@@ -131,9 +131,9 @@ class PairMaker
   {
     const auto atRest = [&T_world_sensor](double) { return T_world_sensor; };
     if (pair.people.empty()) return castScan(world(pair), atRest, time_s, family_.laser, noise);
-    World peopled = world(pair).world();
-    for (const MovingObject& person : pair.people) peopled.addMovingObject(person);
-    return castScan(WorldIndex(std::move(peopled)), atRest, time_s, family_.laser, noise);
+    World worldWithPeople = world(pair).world();
+    for (const MovingObject& person : pair.people) worldWithPeople.addMovingObject(person);
+    return castScan(WorldIndex(std::move(worldWithPeople)), atRest, time_s, family_.laser, noise);
   }
 
   const PairFamily& family_;

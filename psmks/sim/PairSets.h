@@ -17,8 +17,8 @@ struct SimulatedPair
   Pose2 T_world_ref;
   Pose2 T_ref_cur_true;
   Pose2 T_ref_cur_odometry;
-  std::vector<MovingObject>
-      people;  //!< at time 0 in the reference scan, kBetweenScans_s in the current one
+  /** At time 0 in the reference scan, kBetweenScans_s in the current one. */
+  std::vector<MovingObject> people;
   SimulatedScan reference, current;
 
   Pose2 T_world_cur() const { return T_world_ref * T_ref_cur_true; }

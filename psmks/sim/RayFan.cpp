@@ -118,7 +118,7 @@ double RayFan::clearance_m(const Eigen::Vector2d& place_m) const
   return nearest_m;
 }
 
-double RayFan::wayClearance_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const
+double RayFan::pathClearance_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const
 {
   const World::Wall way{from_m, to_m};
   double nearest_m = kInfinity;

@@ -51,7 +51,7 @@ class RayFan
 
   /** Distance from the straight line between two places to the nearest end point of a ray; infinity
    * without rays. */
-  double wayClearance_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const;
+  double pathClearance_m(const Eigen::Vector2d& from_m, const Eigen::Vector2d& to_m) const;
 
   /** How far a lane of the given width is free along a bearing. It is the farthest range of the fan
    * if nothing lies in the lane, and 0 without rays. */

@@ -8,8 +8,8 @@
 namespace psmks
 {
 // Free discs at a distance of one stride cover the straight line but for narrow gaps between them.
-bool isWayFree(const Surroundings& surroundings, const Eigen::Vector2d& from_m,
-               const Eigen::Vector2d& to_m, double elbowRoom_m)
+bool isPathFree(const Surroundings& surroundings, const Eigen::Vector2d& from_m,
+                const Eigen::Vector2d& to_m, double elbowRoom_m)
 {
   constexpr double kStride_m = 0.1;
   const double length_m = (to_m - from_m).norm();
@@ -32,7 +32,7 @@ bool Walker::walkOn()
     const double angle = angle_rad(random_);
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d end_m = place_m() + length_m(random_) * direction;
-    if (!isWayFree(surroundings_, place_m(), end_m, options_.elbowRoom_m)) continue;
+    if (!isPathFree(surroundings_, place_m(), end_m, options_.elbowRoom_m)) continue;
     path_m_.push_back(end_m);
     return true;
   }

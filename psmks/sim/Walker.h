@@ -11,8 +11,8 @@ namespace psmks
 {
 /** Whether a disc of the given radius can move straight from one place to another without touching
  * anything. It is tested every 10 cm, at time 0. */
-bool isWayFree(const Surroundings& surroundings, const Eigen::Vector2d& from_m,
-               const Eigen::Vector2d& to_m, double elbowRoom_m);
+bool isPathFree(const Surroundings& surroundings, const Eigen::Vector2d& from_m,
+                const Eigen::Vector2d& to_m, double elbowRoom_m);
 
 struct WalkerOptions
 {

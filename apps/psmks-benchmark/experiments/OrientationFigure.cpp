@@ -204,20 +204,20 @@ Chart chart(const std::string& title, const ExactPair& pair)
 class Extremes
 {
  public:
-  void consider(const ExactPair& pair)
+  void add(const ExactPair& pair)
   {
     const double error_m = compareRays(pair, pair.T_ref_cur).absolute_m;
-    if (error_m < least_m_) clearest_ = pair;
-    if (error_m > most_m_) misled_ = pair;
+    if (error_m < least_m_) best_ = pair;
+    if (error_m > most_m_) worst_ = pair;
     least_m_ = std::min(least_m_, error_m);
     most_m_ = std::max(most_m_, error_m);
   }
 
-  const ExactPair& clearest() const { return clearest_; }
-  const ExactPair& misled() const { return misled_; }
+  const ExactPair& best() const { return best_; }
+  const ExactPair& worst() const { return worst_; }
 
  private:
-  ExactPair clearest_, misled_;
+  ExactPair best_, worst_;
   double least_m_ = std::numeric_limits<double>::infinity(), most_m_ = -1;
 };
 }  // namespace
@@ -236,11 +236,11 @@ OrientationExperiment orientationExperiment(unsigned seed)
     count(experiment.similar, searchSimilar(pair, similar));
     count(experiment.absolute, miss_rad(rays.absolute));
     count(experiment.squared, miss_rad(rays.squared));
-    extremes.consider(pair);
+    extremes.add(pair);
   }
   experiment.figure.title = "Orientation search on exact scans from true positions";
-  experiment.figure.panels = {chart("No bad associations", extremes.clearest()),
-                              chart("Bad associations", extremes.misled())};
+  experiment.figure.panels = {chart("No bad associations", extremes.best()),
+                              chart("Bad associations", extremes.worst())};
   return experiment;
 }
 }  // namespace psmks

@@ -35,7 +35,7 @@ scans and the same odometry. The paper does not state the range of its laser: 30
 
 )";
 
-const char* const kTrust =
+const char* const kReliability =
     R"(A silent error is a match that was accepted, without a direction flagged as not observable, and wrong by more than 10 cm or 2 degrees. A drive is won where the mean errors of
 position and of heading are both the smaller ones. Ends on walls: segment ends of the map within 3 cm of
 a true wall.
@@ -87,7 +87,7 @@ void writeReport(std::ostream& out, const std::vector<DriveResult>& results,
   out << kIntroduction;
   writeTable(out, driftTable(groups));
   writeTable(out, reliabilityTable(groups));
-  out << kTrust;
+  out << kReliability;
   writeTable(out, workTable(groups));
   out << "Measured on: " << machine << "\n\n";
   writeTable(out, driveTable(groups));

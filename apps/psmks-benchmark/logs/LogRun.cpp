@@ -85,7 +85,7 @@ std::vector<Relation> shortRelations(const std::vector<Relation>& relations)
   return some;
 }
 
-void holdAgainstTruth(const Log& log, const std::vector<PosedScan>& scans, std::size_t drawn,
+void compareWithTruth(const Log& log, const std::vector<PosedScan>& scans, std::size_t drawn,
                       LogRun& run)
 {
   const Trajectory estimate = trajectoryOf(scans);
@@ -122,7 +122,7 @@ LogRun runLog(const Log& log, const std::string& matcher, const std::string& ref
   run.time_s = stopwatch.lap_s();
   run.segmentation_s = segmentationTime_s(builder.scans());
   run.summary = summarise(builder.scans(), log.groundTruth);
-  holdAgainstTruth(log, builder.scans(), drawn, run);
+  compareWithTruth(log, builder.scans(), drawn, run);
   return run;
 }
 

@@ -91,8 +91,8 @@ void savePairs(const std::string& folder, const PairsInput& input)
       (std::filesystem::path(folder) / (input.title + kExtension + ".gz")).string();
   if (std::filesystem::exists(path)) throw PairsFileError(path + ": exists already");
   PairsHeader header = input.header;
-  header.pairs =
-      static_cast<int>(input.pairs.size());  // may be fewer than the header of the file announced
+  /** May be fewer than the header of the file announced. */
+  header.pairs = static_cast<int>(input.pairs.size());
   PairsWriter writer(path, header);
   for (const ScanPair& pair : input.pairs) writer.write(pair);
   writer.close();

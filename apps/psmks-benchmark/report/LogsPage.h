@@ -16,8 +16,8 @@ struct DrawnRun
 {
   std::string title;
   std::vector<ScanPair> pairs;
-  std::vector<PairRecord>
-      records;  //!< one for each pair; the id is the index of the scan in the log
+  /** One for each pair; the id is the index of the scan in the log. */
+  std::vector<PairRecord> records;
 };
 
 /** The comparison of matchers on logs as an HTML page: the tables, and folded the drawings of each

@@ -8,7 +8,7 @@ namespace psmks
 {
 namespace
 {
-double badness(const PairError& error, const PairError& limit)
+double relativeError(const PairError& error, const PairError& limit)
 {
   return std::max(error.translation_m / limit.translation_m,
                   error.rotation_rad / limit.rotation_rad);
@@ -22,7 +22,8 @@ std::vector<std::size_t> worstRecords(const std::vector<PairRecord>& records, st
   std::iota(places.begin(), places.end(), std::size_t{0});
   std::stable_sort(places.begin(), places.end(),
                    [&](std::size_t a, std::size_t b) {
-                     return badness(records[a].error(), limit) > badness(records[b].error(), limit);
+                     return relativeError(records[a].error(), limit) >
+                            relativeError(records[b].error(), limit);
                    });
   places.resize(std::min(count, places.size()));
   return places;

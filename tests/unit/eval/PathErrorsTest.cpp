@@ -51,7 +51,7 @@ std::vector<double> allErrors(const Common& common)
 {
   std::vector<double> row;
   for (const auto& errors :
-       {absoluteErrors(common, layFirstPoseOver(common)), absoluteErrors(common, align(common)),
+       {absoluteErrors(common, alignAtFirstPose(common)), absoluteErrors(common, align(common)),
         stepErrors(common), driftErrors(common, 2.5)})
     for (const auto& [translation_m, rotation_rad] : errors)
     {
@@ -72,7 +72,7 @@ TEST(PathErrorsTest, ARigidMotionOfTheWorldIsUndone)
   const Pose2 T_truth_estimate{-3, 7, 2.5};
   const Common common = squareSeenAs([&](std::size_t, const Pose2& pose)
                                      { return T_truth_estimate.inverse() * pose; });
-  EXPECT_TRUE(isNearly(layFirstPoseOver(common), T_truth_estimate, 1e-12, 1e-12));
+  EXPECT_TRUE(isNearly(alignAtFirstPose(common), T_truth_estimate, 1e-12, 1e-12));
   EXPECT_TRUE(isNearly(align(common), T_truth_estimate, 1e-12, 1e-12));
   for (const double error : allErrors(common)) EXPECT_NEAR(error, 0, 1e-12);
 }
@@ -117,7 +117,7 @@ TEST(PathErrorsTest, NoRigidMotionIsBetterThanTheAlignment)
     EXPECT_GT(squares_m2(best * off), squares_m2(best));
     EXPECT_GT(squares_m2(best * off.inverse()), squares_m2(best));
   }
-  EXPECT_GT(squares_m2(layFirstPoseOver(common)), squares_m2(best));
+  EXPECT_GT(squares_m2(alignAtFirstPose(common)), squares_m2(best));
 }
 
 TEST(PathErrorsTest, ARobotAtRestIsAlignedByItsHeading)
@@ -141,7 +141,7 @@ TEST(PathErrorsTest, OneWrongStepIsOneStepErrorAndManyOfPoses)
   ASSERT_EQ(steps.size(), 16u);
   for (std::size_t i = 0; i < steps.size(); ++i)
     EXPECT_NEAR(steps[i].translation_m, i == 2 ? 0.2 : 0, 1e-12) << i;
-  const auto poses = absoluteErrors(common, layFirstPoseOver(common));
+  const auto poses = absoluteErrors(common, alignAtFirstPose(common));
   for (std::size_t i = 0; i < poses.size(); ++i)
     EXPECT_NEAR(poses[i].translation_m, i < 3 ? 0 : 0.2, 1e-12) << i;
 }
@@ -182,7 +182,7 @@ TEST(PathErrorsTest, TheTruePathIsMeasured)
 TEST(PathErrorsTest, WithoutPosesThereIsNoError)
 {
   EXPECT_TRUE(isNearly(align({}), {}, 0, 0));
-  EXPECT_TRUE(isNearly(layFirstPoseOver({}), {}, 0, 0));
+  EXPECT_TRUE(isNearly(alignAtFirstPose({}), {}, 0, 0));
   EXPECT_TRUE(allErrors({}).empty());
 }
 }  // namespace

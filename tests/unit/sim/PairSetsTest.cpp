@@ -72,7 +72,7 @@ TEST_P(PairSetsOf, TheSensorStandsInFreeSpaceAndCrossesNoWall)
     const Eigen::Vector2d cur_m = pair.T_world_cur().translation();
     EXPECT_GE(world.clearance_m(ref_m, 1, 0), kSensorClearance_m);
     EXPECT_GE(world.clearance_m(cur_m, 1, 0), kSensorClearance_m);
-    EXPECT_TRUE(isWayFree(world, ref_m, cur_m, kSensorClearance_m));
+    EXPECT_TRUE(isPathFree(world, ref_m, cur_m, kSensorClearance_m));
   }
 }
 
