@@ -337,6 +337,10 @@ TEST(SegmentationSigma, GrowsAsTheOptionsSay)
 //   +-----------------+
 //   |  s              |     walls from 1.5 to 12 m away, with a noise of 2 % of the range
 //   +-----------------+
+//
+// 2 % of 1.5 m are 3 cm, 6 times the constant part of the noise: with that part alone hardly a seed
+// of rays fits a line. Measured with 20 seeds: 9 to 37 of the 720 rays are in segments without the
+// growth of the noise, 709 to 720 with it.
 TEST(SegmentationSigma, WallsFarAwayStayWholeWhereTheirNoiseIsKnown)
 {
   const std::vector<Wall> room = outline({{-1.5, -2}, {12, -2}, {12, 2}, {-1.5, 2}});
@@ -353,9 +357,9 @@ TEST(SegmentationSigma, WallsFarAwayStayWholeWhereTheirNoiseIsKnown)
     const std::vector<int> segmentOfRay = segmentsOf(raw, options).segmentOfRay;
     return 720 - std::count(segmentOfRay.begin(), segmentOfRay.end(), SegmentedScan::kNoSegment);
   };
-  EXPECT_LT(raysInSegments(), 450);
+  EXPECT_LT(raysInSegments(), 72);
   options.rangeSigmaPerMetre_m = noise.sigmaPerMetre_m;
-  EXPECT_GT(raysInSegments(), 690);
+  EXPECT_GT(raysInSegments(), 705);
   EXPECT_LE(segmentsOf(raw, options).segments.size(), 5u);
 }
 
