@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <psmks/geometry/UncertainPose.h>
 #include <tests/support/PoseMatcher.h>
+#include <tests/unit/geometry/UncertainMotion.h>
 
 #include <functional>
 
@@ -9,17 +10,6 @@ namespace psmks::test
 {
 namespace
 {
-const Pose2 kRef{0.78, 0.10, degToRad(30)}, kCur{-0.20, 0.40, degToRad(-100)};
-
-UncertainPose someMotion()
-{
-  Eigen::Matrix3d covariance;
-  covariance << 4e-4, 1e-4, 2e-5,  //
-      1e-4, 9e-4, -3e-5,           //
-      2e-5, -3e-5, 1e-4;
-  return {{0.5, -0.2, degToRad(25)}, covariance};
-}
-
 /** Derivative of a pose by another one, by central differences. */
 Eigen::Matrix3d numericJacobian(const Pose2& at, const std::function<Pose2(const Pose2&)>& f)
 {
@@ -37,7 +27,8 @@ Eigen::Matrix3d numericJacobian(const Pose2& at, const std::function<Pose2(const
   return J;
 }
 
-constexpr double kTolerance = 1e-11;  //!< of covariances, of the step of central differences
+/** Tolerance of covariances: above the error of the central differences. */
+constexpr double kTolerance = 1e-11;
 }  // namespace
 
 TEST(UncertainPose, ComposedMovesBothCovariancesAsTheNumericJacobiansDo)

@@ -4,6 +4,7 @@
 #include <mrpt/system/datetime.h>
 #include <psmks/mrpt/Convert.h>
 #include <tests/support/PoseMatcher.h>
+#include <tests/unit/geometry/UncertainMotion.h>
 #include <tests/unit/mrpt/Observation.h>
 
 #include <limits>
@@ -184,20 +185,6 @@ TEST(SensorMounting, MeasuresTheTilt)
   observation.deltaPitch = 0.25;
   EXPECT_EQ(sensorMounting(observation).tilt_rad, 0.25);
 }
-
-namespace
-{
-const Pose2 kRef{0.78, 0.10, degToRad(30)}, kCur{-0.20, 0.40, degToRad(-100)};
-
-UncertainPose someMotion()
-{
-  Eigen::Matrix3d covariance;
-  covariance << 4e-4, 1e-4, 2e-5,  //
-      1e-4, 9e-4, -3e-5,           //
-      2e-5, -3e-5, 1e-4;
-  return {{0.5, -0.2, degToRad(25)}, covariance};
-}
-}  // namespace
 
 TEST(Conjugated, ComposesAsMrptDoes)
 {
