@@ -12,8 +12,8 @@ namespace
 {
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double kFontHeight_px = 22;  // height of a letter at font scale 1
-constexpr double kBarsPerSheet =
-    6;  // least number of scale bars that fit side by side on the picture
+/** Least number of scale bars that fit side by side on the picture. */
+constexpr double kBarsPerSheet = 6;
 constexpr double kBoxShade = 0.85;                   // brightness of the frame relative to the grid
 constexpr double kBarWidth = 1.5, kMarkWidth = 4.5;  // hairlines
 }  // namespace

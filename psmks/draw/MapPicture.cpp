@@ -16,8 +16,8 @@ const Colour kPoint(190, 170, 140);
 const Colour kOdometry(140, 150, 255);
 
 constexpr double kMargin_m = 1.0;
-constexpr double kOutlierShare =
-    0.002;  // share of the points that may lie outside the frame on each side
+/** Share of the points that may lie outside the frame on each side. */
+constexpr double kOutlierShare = 0.002;
 constexpr double kPathWidth = 2.2, kOdometryWidth = 1.2, kWallWidth = 1;  // hairlines
 
 /** The range of values without the share kOutlierShare at either end. */

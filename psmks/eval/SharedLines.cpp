@@ -11,8 +11,8 @@ namespace
 using Piece = SharedLines::Piece;
 
 constexpr double kGate = 4;  // standard deviations by which two pieces of one wall may differ
-constexpr double kMargin_m =
-    0.1;  // length by which a wall is extended beyond the part that was seen
+/** Length by which a wall is extended beyond the part that was seen. */
+constexpr double kMargin_m = 0.1;
 
 bool isOn(const AnchoredLine& line, const AnchoredLine& other, const Eigen::Vector2d& point_m)
 {

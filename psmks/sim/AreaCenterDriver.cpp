@@ -8,36 +8,49 @@ namespace psmks
 {
 namespace
 {
+// Constants of the source of the method.
 
-// Constants that the source of the method gives.
-constexpr double kReachGrowth = 1.025;  // factor of the reach in each control cycle
-constexpr double kCautiousShare =
-    0.25;  // of the full reach: the reach after the robot has become cautious
-constexpr double kLeastSideShare =
-    0.15;  // a side with a smaller share of all rays is not driven to
-constexpr double kLeastProbability = 0.1;  // a side with a smaller probability is never chosen
-constexpr double kWayWidth_radii =
-    1.1;  // half the width of the strip that must be free, in radii of the robot
-constexpr double kWayLength_radii = 1.25;  // length of this strip beyond the path of kWayTime_s
+/** Factor by which the reach grows in each control cycle, until it is the full reach. */
+constexpr double kReachGrowth = 1.025;
+/** Reach after no centre could be reached, as a share of the full reach. */
+constexpr double kCautiousShare = 0.25;
+/** A side of an obstacle is not driven to if it has a smaller share of all rays. */
+constexpr double kLeastSideShare = 0.15;
+/** A side of an obstacle that would be chosen with a smaller probability is never chosen. */
+constexpr double kLeastProbability = 0.1;
+/** Half the width of the strip that must be free on the path, in radii of the robot. */
+constexpr double kWayWidth_radii = 1.1;
+/** Length of this strip beyond the distance driven in kWayTime_s, in radii of the robot. */
+constexpr double kWayLength_radii = 1.25;
 constexpr double kWayTime_s = 1;
+/** A smaller bearing of the target, or remainder of a turn, counts as straight ahead. */
 constexpr double kStraight_rad = degToRad(2);
-constexpr double kInnerWheelTurn =
-    1.8;  // by this factor of the bearing the inner wheel is slowed down
-constexpr double kTurnShare =
-    0.1;  // of the highest speed, when turning on the spot or driving backward
+/** The inner wheel is slowed down by the cosine of this many times the bearing of the target. */
+constexpr double kInnerWheelTurn = 1.8;
+/** Speed of a turn on the spot and of driving backward, as a share of the highest speed. */
+constexpr double kTurnShare = 0.1;
+/** A turn on the spot is slowed down when less than this is left of it. */
 constexpr double kSlowTurn_rad = degToRad(23);
+/** Time of driving backward after a collision. */
 constexpr double kReverse_s = 2;
+/** Bearing of the outer rays that are used; obstacles beyond it have been passed. */
 constexpr double kSectorEdge_rad = degToRad(90.5);
 
 // Constants of our own, chosen so that the robot never touches anything and never stands for long.
+
+/** Least reach with which a side of an obstacle is regarded. */
 constexpr double kLeastReach_m = 0.3;
+/** Two splits with a smaller angle between them are forgotten: nothing fits between them. */
 constexpr double kLeastSplitAngle_rad = degToRad(10);
-constexpr double kLookAhead_s = 1.2;
-constexpr double kLookStep_s = 0.2;
+/** The motion of the next kLookAhead_s is tested for collisions, in steps of kLookStep_s. */
+constexpr double kLookAhead_s = 1.2, kLookStep_s = 0.2;
+/** Least share of the wanted speed that is tried if the full speed is not safe. */
 constexpr double kLeastSpeedShare = 0.2;
+/** Turn on the spot if no speed is safe. */
 constexpr double kEvasiveTurn_rad = degToRad(40);
-constexpr double kStandstill_s = 12;
-constexpr double kStandstill_m = 0.4;
+/** The robot stands still if it has moved less than kStandstill_m in kStandstill_s. */
+constexpr double kStandstill_s = 12, kStandstill_m = 0.4;
+/** Width of the lane that is searched after a standstill. */
 constexpr double kLaneWidth_m = 0.9;
 
 double bearing_rad(const Eigen::Vector2d& place_m) { return std::atan2(place_m.y(), place_m.x()); }
@@ -100,7 +113,7 @@ void AreaCenterDriver::watchForStandstill(const DriverView& view, const RayFan& 
   checked_s_ = view.time_s;
   if (moved_m > kStandstill_m) return;
 
-  std::uniform_real_distribution<double> randomFactor(0.7, 1.3);
+  std::uniform_real_distribution<double> randomFactor(0.7, 1.3);  // so that it varies its choice
   double longest_m = 0, best_rad = 0;
   for (double bearing = -kPi / 2; bearing <= kPi / 2; bearing += degToRad(5))
   {

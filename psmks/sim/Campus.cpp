@@ -9,9 +9,9 @@ namespace
 constexpr std::size_t kWalls = 507;
 constexpr double kLength_m = 46, kCorridor_m = 2.2;
 constexpr double kOuterRoomDepth_m = 5.8, kInnerRoomDepth_m = 4.8, kBlockHeight_m = 10;
-constexpr double kHeight_m =
-    kBlockHeight_m + 2 * kCorridor_m;  // outer side of the corridors around the blocks
-constexpr double kCrossing_m = 20;     // where the corridor between the blocks begins
+/** Outer side of the corridors around the blocks. */
+constexpr double kHeight_m = kBlockHeight_m + 2 * kCorridor_m;
+constexpr double kCrossing_m = 20;  // where the corridor between the blocks begins
 constexpr double kMiddle_m = kCorridor_m / 2;
 
 /** The rooms of a block along both of its long corridors. */

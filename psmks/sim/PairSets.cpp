@@ -77,7 +77,7 @@ class PairMaker
     /** Enough straight walks to reach every room from the middle of a floor. */
     constexpr int kStrollWays = 40;
     WalkerOptions robot;
-    robot.elbowRoom_m = kSensorClearance_m;
+    robot.clearance_m = kSensorClearance_m;
     Walker walker(world(pair), starts_[pair.world].translation(), robot, random);
     if (!walker.walkOn(kStrollWays)) return false;
     pair.T_world_ref = {walker.place_m().x(), walker.place_m().y(), draw(random, -kPi, kPi)};

@@ -11,8 +11,8 @@ namespace psmks
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kForward_rad =
-    degToRad(90.5);  // includes the outer rays of a scanner of 180 degrees
+/** Includes the outer rays of a scanner of 180 degrees. */
+constexpr double kForward_rad = degToRad(90.5);
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {

@@ -9,7 +9,7 @@ namespace psmks
 {
 // Free discs at a distance of one stride cover the straight line but for narrow gaps between them.
 bool isPathFree(const Surroundings& surroundings, const Eigen::Vector2d& from_m,
-                const Eigen::Vector2d& to_m, double elbowRoom_m)
+                const Eigen::Vector2d& to_m, double radius_m)
 {
   constexpr double kStride_m = 0.1;
   const double length_m = (to_m - from_m).norm();
@@ -17,7 +17,7 @@ bool isPathFree(const Surroundings& surroundings, const Eigen::Vector2d& from_m,
   for (double way_m = kStride_m; way_m < length_m + kStride_m; way_m += kStride_m)
   {
     const Eigen::Vector2d point_m = from_m + std::min(way_m, length_m) * direction;
-    if (surroundings.clearance_m(point_m, elbowRoom_m, 0) < elbowRoom_m) return false;
+    if (surroundings.clearance_m(point_m, radius_m, 0) < radius_m) return false;
   }
   return true;
 }
@@ -32,7 +32,7 @@ bool Walker::walkOn()
     const double angle = angle_rad(random_);
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d end_m = place_m() + length_m(random_) * direction;
-    if (!isPathFree(surroundings_, place_m(), end_m, options_.elbowRoom_m)) continue;
+    if (!isPathFree(surroundings_, place_m(), end_m, options_.clearance_m)) continue;
     path_m_.push_back(end_m);
     return true;
   }

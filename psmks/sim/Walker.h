@@ -12,11 +12,11 @@ namespace psmks
 /** Whether a disc of the given radius can move straight from one place to another without touching
  * anything. It is tested every 10 cm, at time 0. */
 bool isPathFree(const Surroundings& surroundings, const Eigen::Vector2d& from_m,
-                const Eigen::Vector2d& to_m, double elbowRoom_m);
+                const Eigen::Vector2d& to_m, double radius_m);
 
 struct WalkerOptions
 {
-  double elbowRoom_m = 0.35;  //!< least distance from the centre of the walker to any object
+  double clearance_m = 0.35;  //!< least distance from the centre of the walker to any object
   double shortestWay_m = 1, longestWay_m = 8;
 };
 

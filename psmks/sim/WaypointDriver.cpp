@@ -10,8 +10,8 @@ namespace
 {
 constexpr double kArrived_m = 0.1;
 constexpr double kAlongRoute_m = 0.05;  // spacing at which the target moves along the route
-constexpr double kTurnOnTheSpot_rad =
-    degToRad(60);                    // larger bearings of the target are turned to on the spot
+/** Larger bearings of the target are turned to on the spot. */
+constexpr double kTurnOnTheSpot_rad = degToRad(60);
 constexpr double kReaction_s = 0.5;  // time in which a bearing is turned to
 
 WheelSpeeds wheelSpeeds(double forward_mps, double rate_radps, double track_m)

@@ -21,10 +21,10 @@ using Gicp = pcl::GeneralizedIterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ>
 
 constexpr double kGate_m = 1.0;       // largest distance of the points of a pair
 constexpr float kExplained_m = 0.1F;  // a point this close to the other scan counts as explained
-constexpr double kAcceptedShare =
-    0.40;  // least share of explained points of a usable match, as for MRPT's ICP
-constexpr std::size_t kLeastPoints =
-    20;  // number of points that GICP takes for the neighbourhood of a point
+/** Least share of explained points of a usable match, as for MRPT's ICP. */
+constexpr double kAcceptedShare = 0.40;
+/** Number of points that GICP takes for the neighbourhood of a point. */
+constexpr std::size_t kLeastPoints = 20;
 
 /** The points that the covariance of a point is computed from. */
 enum class Surface

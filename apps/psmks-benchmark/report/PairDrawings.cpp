@@ -16,9 +16,9 @@ namespace
 constexpr double kCentimetresPerMetre = 100;
 constexpr double kMillimetresPerMetre = 1000;
 constexpr double kMargin = 0.04;  // width of the border, as a share of the side of the picture
-constexpr double kSensorShare =
-    0.025;                           // half the length of a sensor's arrow, as a share of the side
-constexpr double kTextShare = 0.06;  // height of letters, as a share of the side
+/** Half the length of a sensor's arrow, as a share of the side. */
+constexpr double kSensorShare = 0.025;
+constexpr double kTextShare = 0.06;      // height of letters, as a share of the side
 constexpr double kScaleBarShare = 0.25;  // largest length, as a share of the side
 
 std::ostringstream numberStream(int decimals)

@@ -37,7 +37,7 @@ TEST(Walker, KeepsHisElbowRoomOnAllHisWays)
   bool wasBeyondTheDoor = false;
   for (std::size_t i = 1; i < path_m.size(); ++i)
   {
-    EXPECT_TRUE(isPathFree(world, path_m[i - 1], path_m[i], options.elbowRoom_m));
+    EXPECT_TRUE(isPathFree(world, path_m[i - 1], path_m[i], options.clearance_m));
     const double length_m = (path_m[i] - path_m[i - 1]).norm();
     EXPECT_GE(length_m, options.shortestWay_m - 1e-9);
     EXPECT_LE(length_m, options.longestWay_m + 1e-9);
