@@ -71,10 +71,11 @@ void projectPsmScan(const PsmScan& current, const Pose2& T_ref_cur, const BeamGr
 
   int before = current.grid.neighbour(0, -1);
   PolarPoint pointBefore;
-  if (before >= 0 && current.segmentOf(before) != PsmScan::kLone) pointBefore = projected(before);
+  if (before >= 0 && current.segmentOf(before) != PsmScan::kNoSurface)
+    pointBefore = projected(before);
   for (int i = 0; i < current.rays(); before = i++)
   {
-    if (current.segmentOf(i) == PsmScan::kLone) continue;
+    if (current.segmentOf(i) == PsmScan::kNoSurface) continue;
     const PolarPoint point = projected(i);
     if (before >= 0 && current.sameSurface(before, i)) drawing.drawEdge(pointBefore, point);
     pointBefore = point;

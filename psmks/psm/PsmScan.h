@@ -25,13 +25,13 @@ enum class PsmTag : std::uint8_t
 struct PsmScan
 {
   /** The segment of rays that lie on no surface or have no reading. */
-  static constexpr int kLone = 0;
+  static constexpr int kNoSurface = 0;
 
   BeamGrid grid;
   double maxRange_m = 0;        //!< infinite if there is no limit
   std::vector<double> range_m;  //!< one per ray; infinite if the tag is BeyondRange
   std::vector<PsmTag> tag;      //!< one per ray: Good or BeyondRange
-  std::vector<int> segment;     //!< one per ray: kLone, or the number of a surface, from 1
+  std::vector<int> segment;     //!< one per ray: kNoSurface, or the number of a surface, from 1
 
   int rays() const { return static_cast<int>(range_m.size()); }
   bool isGood(int i) const { return tag[static_cast<std::size_t>(i)] == PsmTag::Good; }
@@ -41,7 +41,7 @@ struct PsmScan
   /** Whether rays i and j lie on one surface. */
   bool sameSurface(int i, int j) const
   {
-    return segmentOf(i) != kLone && segmentOf(i) == segmentOf(j);
+    return segmentOf(i) != kNoSurface && segmentOf(i) == segmentOf(j);
   }
 
   /** The end point of ray i in the sensor frame. The ray has to be Good. */

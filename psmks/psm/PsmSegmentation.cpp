@@ -15,7 +15,7 @@ class Segmenter
   void run()
   {
     const int rays = scan_.rays();
-    scan_.segment.assign(static_cast<std::size_t>(rays), PsmScan::kLone);
+    scan_.segment.assign(static_cast<std::size_t>(rays), PsmScan::kNoSurface);
     const int first = scan_.grid.closed() ? afterGreatestJump() : 0;
     for (int step = 0; step < rays; ++step)
     {
@@ -23,7 +23,7 @@ class Segmenter
       const int before = step > 0 ? scan_.grid.neighbour(i, -1) : kNone;
       place(i, before, step > 1 ? scan_.grid.neighbour(i, -2) : kNone);
     }
-    if (scan_.grid.closed() && rays > 0) openSpiral(scan_.grid.neighbour(first, -1), first);
+    if (scan_.grid.closed() && rays > 0) cutEndOfSpiral(scan_.grid.neighbour(first, -1), first);
   }
 
  private:
@@ -58,12 +58,12 @@ class Segmenter
       join(i, before);
     else if (beforeThat != kNone && scan_.isGood(beforeThat) && continues(i, before, beforeThat))
     {
-      if (isLone(before) && isLone(beforeThat)) join(before, beforeThat);
+      if (isOnNoSurface(before) && isOnNoSurface(beforeThat)) join(before, beforeThat);
       if (scan_.sameSurface(before, beforeThat)) join(i, before);
     }
   }
 
-  bool isLone(int i) const { return scan_.segmentOf(i) == PsmScan::kLone; }
+  bool isOnNoSurface(int i) const { return scan_.segmentOf(i) == PsmScan::kNoSurface; }
 
   bool continues(int i, int before, int beforeThat) const
   {
@@ -74,16 +74,16 @@ class Segmenter
   void join(int i, int before)
   {
     int& segment = scan_.segment[static_cast<std::size_t>(before)];
-    if (segment == PsmScan::kLone) segment = ++segments_;
+    if (segment == PsmScan::kNoSurface) segment = ++segments_;
     scan_.segment[static_cast<std::size_t>(i)] = segment;
   }
 
   /** If one surface goes all the way round but ends in a jump of the range, its last ray is taken
    * off. */
-  void openSpiral(int last, int first)
+  void cutEndOfSpiral(int last, int first)
   {
     if (scan_.sameSurface(last, first) && jump_m(first, last) >= break_m_)
-      scan_.segment[static_cast<std::size_t>(last)] = PsmScan::kLone;
+      scan_.segment[static_cast<std::size_t>(last)] = PsmScan::kNoSurface;
   }
 
   double break_m_;

@@ -44,7 +44,7 @@ TEST_F(PsmProjectionTest, FromItsOwnViewpointAScanIsItself)
   project(officeRoom(), {});
   for (std::size_t i = 0; i < 361; ++i)
   {
-    if (current_.segment[i] == PsmScan::kLone) continue;
+    if (current_.segment[i] == PsmScan::kNoSurface) continue;
     EXPECT_EQ(projection_.tag[i], PsmTag::Good) << i;
     EXPECT_NEAR(projection_.range_m[i], current_.range_m[i], 1e-6) << i;
   }
