@@ -55,7 +55,7 @@ struct Robot : testing::Test
 
 using OptionTableTest = Robot;
 
-/** Writes numbers as much of Europe does: 0,5. */
+/** Writes numbers with a decimal comma, as many locales do: 0,5. */
 struct DecimalComma : std::numpunct<char>
 {
   char do_decimal_point() const override { return ','; }

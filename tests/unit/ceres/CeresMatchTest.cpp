@@ -17,16 +17,16 @@ struct Tolerance
   double translation_m, rotation_rad;
 };
 
-// Gauss-Newton settles only for the last association: a ray at the edge of a gate may then have a
-// partner in one match and none in the other.
+// The two solvers end at slightly different poses, so that a ray at the edge of a gate may be
+// associated in one match and not in the other.
 constexpr Tolerance kReassociated{2e-4, degToRad(2e-3)};
 
-// With the same partners both solvers have the same least squares to solve, and Gauss-Newton the
-// same solution but for the step at which it stops.
+// With the same associations both solvers have the same least squares problem. Their solutions then
+// differ by the step at which Gauss-Newton stops.
 constexpr double kStop = 1e-8;  // m and rad
 constexpr Tolerance kSamePartners{10 * kStop, 10 * kStop};
 
-/** Whole matches with Ceres against whole matches without, on random pairs in an office. */
+/** Compares whole matches with and without Ceres on random pairs in an office. */
 void expectSameMatches(const MatcherOptions& closedForm, const MatcherOptions& ceres,
                        const Tolerance& tolerance)
 {

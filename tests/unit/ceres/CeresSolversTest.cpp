@@ -36,7 +36,7 @@ class CeresSolversTest : public testing::TestWithParam<unsigned>
     return scale * (root * root.transpose() + Eigen::Matrix<double, N, N>::Identity());
   }
 
-  /** Terms that agree on `truth` but for a little noise, and one gross outlier of each kind. */
+  /** Terms that agree with `truth` up to a little noise, and one outlier of each kind. */
   JointProblem jointProblem(const Pose2& truth)
   {
     JointProblem problem;
@@ -106,8 +106,8 @@ double costOf(const JointProblem& problem, const Pose2& pose)
   return cost + e.dot(problem.prior->information * e) / 2;
 }
 
-/** Newton step that the numeric gradient and Hessian of the cost still ask for: how far a pose is
- * from the minimum, in metres and radians. */
+/** The Newton step from a pose by the numeric gradient and Hessian of the cost: the distance of the
+ * pose from the minimum in metres and radians. */
 Eigen::Vector3d remainingStep(const JointProblem& problem, const Pose2& pose)
 {
   constexpr double h = 1e-4;

@@ -19,7 +19,7 @@ ScanMap wallMap(double length_m)
   return map;
 }
 
-/** A PNG states its width in its bytes 16 to 19, the highest first. */
+/** The width of a PNG, which is in its bytes 16 to 19 in big-endian order. */
 int widthOfPng_px(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);

@@ -16,7 +16,7 @@ namespace
 {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/** Draws into a folder of its own; skipped without gnuplot. */
+/** Tests of pictures that are drawn in a scratch folder; they are skipped without gnuplot. */
 class ChartFile : public testing::Test
 {
  protected:

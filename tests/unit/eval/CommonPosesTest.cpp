@@ -8,7 +8,7 @@ namespace psmks
 {
 namespace
 {
-/** A metre a second along x, from a time on. */
+/** A path of a metre a second along x, from a given time on. */
 Trajectory straight(double from_s, double step_s, int poses)
 {
   Trajectory trajectory;

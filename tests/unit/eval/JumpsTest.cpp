@@ -6,9 +6,9 @@ namespace psmks
 {
 namespace
 {
-/** Half a metre ahead every second, five poses.
+/** A path of five poses, half a metre ahead each second.
  *
- *     o--o--o--o--o      */
+ *     o--o--o--o--o */
 Trajectory straight()
 {
   Trajectory trajectory;
@@ -16,7 +16,7 @@ Trajectory straight()
   return trajectory;
 }
 
-/** The same with the pose in the middle moved to the left. */
+/** The same path with the pose in the middle moved to the left. */
 Trajectory withMiddleMoved(double left_m, double turned_deg = 0)
 {
   Trajectory trajectory = straight();

@@ -33,12 +33,12 @@ PairBound exactBound(const std::vector<Wall>& walls, double sigma_m = kSigma_m)
                    {sigma_m});
 }
 
-/** The pose between two scans from their maximum likelihood lines, which tell all that the rays
- * tell of it. A line has the angle phi and the distance r, so that
+/** The pose between two scans from their maximum likelihood lines, which hold all the information
+ * of the rays about it. A line has the angle phi and the distance r, so that
  *
  *     phi_cur - phi_ref = -theta,    r_cur - r_ref = -n(phi_ref).t
  *
- * is linear in the pose, and the errors of both sides are those of four numbers a wall. */
+ * is linear in the pose. The errors of its two sides are those of four numbers of each wall. */
 struct LineRegression
 {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -53,7 +53,7 @@ struct LineRegression
       const Eigen::Vector2d n = ref.normal(), turned(-n.y(), n.x());
       Eigen::Matrix<double, 2, 3> J;
       J << -n.transpose(), 0, 0, 0, -1;
-      Eigen::Matrix2d A;  // how an error of the reference line enters
+      Eigen::Matrix2d A;  // derivative by the error of the reference line
       A << -1, turned.dot(kMotion.translation()), 0, -1;
       const Eigen::Matrix2d weight =
           (cur.covariance + A * ref.covariance * A.transpose()).inverse();
@@ -108,7 +108,7 @@ TEST(PairBound, InformationFallsWithTheSquareOfTheNoise)
   EXPECT_TRUE((4 * twice).isApprox(once, 0.01)) << 4 * twice << "\nis not nearly\n" << once;
 }
 
-// A box that has come into the current scan hides a part of the wall and shows sides of its own.
+// A box that only the current scan sees hides a part of the wall and adds two sides of its own.
 TEST(PairBound, AWallThatOnlyOneScanSeesDoesNotCount)
 {
   const std::vector<Wall> withBox = []
@@ -142,7 +142,8 @@ TEST(PairBound, IsTheScatterOfTheMaximumLikelihoodEstimate)
     spread += error * error.transpose() / kDraws;
     if (draw < 20) bounds.push_back(pairBound(reference, current, kMotion, {kSigma_m}));
   }
-  // spread * information is the identity but for the sampling: 1 / sqrt(draws / 2) = 6 %.
+  // The covariance of the draws times the information is the identity, except for the sampling
+  // error of 1 / sqrt(draws / 2) = 6 %.
   for (const PairBound& bound : bounds)
   {
     const Eigen::Matrix3d root = bound.information.llt().matrixU();
@@ -167,7 +168,7 @@ TEST(BoundSummary, HasTheQuantilesOfTheErrors)
 
 TEST(BoundSummary, HeadingMayDependOnThePosition)
 {
-  // Known together only: the variance of each is four times what it is with the other one known.
+  // With this coupling, the variance of each is four times what it is if the other one is known.
   PairBound bound;
   bound.information << 4, 0, -std::sqrt(12.0), 0, 4, 0, -std::sqrt(12.0), 0, 4;
   bound.information *= 1e6;

@@ -71,7 +71,7 @@ TEST(PairsSummary, TimeRatiosAreThoseOfOneKindOfGuess)
                                   {"slow", "odometry", timed(2e-3)}},
                                  BoundSummary(), "slow");
   const auto ratio = [&table](std::size_t row) { return std::get<double>(table.rows[row].back()); };
-  // each guess begins with the row of the bound, which takes no time
+  // Each kind of guess begins with the row of the bound, which has no time.
   EXPECT_TRUE(std::isnan(ratio(0)));
   EXPECT_DOUBLE_EQ(ratio(1), 0.25);
   EXPECT_DOUBLE_EQ(ratio(2), 1);

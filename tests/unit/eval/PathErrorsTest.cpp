@@ -26,7 +26,7 @@ std::vector<Pose2> square()
   return poses;
 }
 
-/** The square and what an estimate made of it. */
+/** The square as the truth, with an estimate of each pose. */
 Common squareSeenAs(const std::function<Pose2(std::size_t, const Pose2&)>& estimate)
 {
   Common common;
@@ -38,7 +38,7 @@ Common squareSeenAs(const std::function<Pose2(std::size_t, const Pose2&)>& estim
   return common;
 }
 
-/** An estimate with errors of all kinds, each time the same. */
+/** An estimate with errors of all kinds that depend on the index alone. */
 Pose2 spoiled(std::size_t i, const Pose2& pose)
 {
   const double n = static_cast<double>(i);
@@ -46,7 +46,7 @@ Pose2 spoiled(std::size_t i, const Pose2& pose)
          Pose2{0, 0.001 * n, 0};
 }
 
-/** Every error that can be asked for, in one row. */
+/** All errors of all measures in one list. */
 std::vector<double> allErrors(const Common& common)
 {
   std::vector<double> row;

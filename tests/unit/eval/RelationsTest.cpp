@@ -35,7 +35,7 @@ class RelationsTest : public testing::Test
 //   t = 0  -> t = 1
 const Trajectory kCorner{{0, {0, 0, 0}}, {1, {1, 0, kPi / 2}}, {2, {1, 1, kPi}}, {3, {0, 1, kPi}}};
 
-/** All that can be asked of the corner, once. */
+/** The true motions between all places of the corner. */
 const std::vector<Relation> kTrueRelations{{0, 1, {1, 0, kPi / 2}},
                                            {1, 2, {1, 0, kPi / 2}},
                                            {2, 3, {1, 0, 0}},
@@ -97,7 +97,7 @@ TEST_F(RelationsTest, APerfectTrajectoryHasNoErrorWhereverItsWorldBegins)
 TEST_F(RelationsTest, TheErrorIsThatOfTheMotionNotOfThePose)
 {
   Trajectory estimate = kCorner;
-  estimate[1].pose.y_m += 0.3;  // one pose off the path: only the relations that touch it err
+  estimate[1].pose.y_m += 0.3;  // one pose is wrong: only the relations with it have errors
   estimate[1].pose.phi_rad -= 0.1;
   const auto errors = relationErrors(estimate, kTrueRelations);
   ASSERT_EQ(errors.size(), 5u);
@@ -146,7 +146,7 @@ TEST_F(RelationsTest, OfPosesWithOneStampTheFirstCounts)
 {
   Trajectory estimate = kCorner;
   estimate.insert(estimate.begin() + 2, {1, {50, 0, 0}});
-  for (const double shift_s : {0.0, 0.005, -0.005})  // found from both sides of the stamp
+  for (const double shift_s : {0.0, 0.005, -0.005})  // poses are found on both sides of the stamp
   {
     std::vector<Relation> relations = kTrueRelations;
     for (auto& r : relations)

@@ -17,12 +17,12 @@ namespace
 {
 using namespace test;
 
-/** What a float aperture leaves of a bearing. */
+/** The error of a bearing by a float aperture. */
 constexpr double kBearingTolerance_rad = 1e-7;
 
 const std::vector<double> kRanges_m(181, 2.5);
 
-/** Direction of a ray as the robot sees it. */
+/** The direction of a ray in the frame of the robot. */
 double bearing_deg(const LaserFrame& frame, int ray)
 {
   const Scan scan = ScanConverter().convert(*frame.scan);
@@ -59,7 +59,9 @@ class CarmenReaderTest : public testing::Test
     ADD_FAILURE() << "no remark '" << words << "' among " << testing::PrintToString(remarks_);
   }
 
-  /** First and last bearing of a FLASER with so many rays after these parameters. */
+  /** Expects the first and the last bearing of a FLASER with a number of rays after some
+   * parameters.
+   */
   void expectBearings(const std::string& parameters, std::size_t rays, double first_deg,
                       double last_deg, const CarmenOptions& options = {})
   {

@@ -12,7 +12,7 @@
 
 namespace psmks::test
 {
-/** The end of a message. */
+/** The stamps at the end of a message. */
 inline std::string carmenStamps(double ipc_s, double logger_s)
 {
   std::ostringstream text;
@@ -35,8 +35,7 @@ inline std::string carmenRanges(const std::vector<double>& ranges_m)
   return text.str();
 }
 
-/** A FLASER message; its laser pose is another than the odometry, as in logs that were corrected.
- */
+/** A FLASER message. The pose of its laser differs from the odometry, as in corrected logs. */
 inline std::string flaser(const std::vector<double>& ranges_m, const Pose2& odometry, double ipc_s,
                           double logger_s = 0)
 {
@@ -49,7 +48,7 @@ inline std::string odom(const Pose2& odometry, double ipc_s)
   return "ODOM" + carmenPose(odometry) + " 0.2 0 0" + carmenStamps(ipc_s, ipc_s);
 }
 
-/** The room's log as a CARMEN log. */
+/** Writes the log of the room as a CARMEN log. */
 inline void writeCarmen(const RoomLog& log, const std::string& path)
 {
   CarmenWriter writer;

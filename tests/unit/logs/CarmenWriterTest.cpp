@@ -18,7 +18,7 @@ namespace
 {
 using namespace test;
 
-/** What a float aperture leaves of a bearing. */
+/** The error of a bearing by a float aperture. */
 constexpr double kBearingTolerance_rad = 1e-7;
 
 std::vector<LaserFrame> framesOf(LogReader& reader)
@@ -93,7 +93,7 @@ class CarmenWriterTest : public testing::Test
     return path(name);
   }
 
-  /** CARMEN to rawlog and back. */
+  /** Converts a CARMEN log to a rawlog and back, and expects the same text. */
   void expectRoundTrip(const std::string& log) const
   {
     CarmenReader original(log);
@@ -120,7 +120,7 @@ class CarmenWriterTest : public testing::Test
   const ScratchFolder folder_;
 };
 
-/** Ranges that a float does not hold, and no return among them. */
+/** Ranges that a float cannot represent exactly, with a missing return among them. */
 std::vector<double> unevenRanges(int rays)
 {
   std::vector<double> ranges_m;

@@ -35,7 +35,7 @@ class RawlogReaderTest : public testing::Test
     return frames;
   }
 
-  /** Cuts the file to a share of its bytes and reads what is left. */
+  /** Cuts the file to a share of its bytes and reads what remains. */
   std::string damageAfterCut(double share)
   {
     std::filesystem::resize_file(

@@ -191,7 +191,7 @@ TEST(RawlogActions, AreTrustedAsFarAsTheOptionsSay)
   const Pose2 motion = steps[0].T_start_odometry.inverse() * steps[1].T_start_odometry;
   const Eigen::Matrix3d expected = odometryCovariance(motion, options.odometry);
   const Eigen::Matrix3d stated = movement->poseChange->getCovariance().asEigen();
-  for (int i = 0; i < 3; ++i)  // MRPT lets the angle's error bend the way, a little
+  for (int i = 0; i < 3; ++i)  // MRPT also applies the error of the angle to the path
     EXPECT_NEAR(stated(i, i), expected(i, i), 0.02 * expected(i, i)) << i;
 }
 }  // namespace

@@ -81,7 +81,7 @@ inline mrpt::obs::CObservationOdometry::Ptr makeOdometry(const RoomLog::Step& st
   return odometry;
 }
 
-/** Actions and sensory frames in turn. */
+/** The log with alternating actions and sensory frames. */
 inline Entries asFrames(const RoomLog& log)
 {
   Entries entries;
@@ -95,7 +95,7 @@ inline Entries asFrames(const RoomLog& log)
   return entries;
 }
 
-/** Loose observations: odometry and scan of the same stamp in turn. */
+/** The log with single observations: odometry and a scan of the same stamp alternate. */
 inline Entries asObservations(const RoomLog& log)
 {
   Entries entries;

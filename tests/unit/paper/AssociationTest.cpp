@@ -7,8 +7,8 @@ namespace psmks
 {
 namespace
 {
-/** A room scanned from the origin, and again from `T_world_current`, associated at a supposed pose.
- */
+/** Tests of the associations between a scan of a room from the origin and one from
+ * `T_world_current`, at a given pose. */
 class AssociationTest : public testing::Test
 {
  protected:

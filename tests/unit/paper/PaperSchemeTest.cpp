@@ -15,7 +15,7 @@ namespace
 class PaperSchemeTest : public testing::Test
 {
  protected:
-  /** Two scans of a room, the first from the origin. */
+  /** Casts two scans of a room, the first one from the origin. */
   void scan(const std::vector<Wall>& walls, const Pose2& T, double sigma_m = 0,
             double maxRange_m = 30)
   {
@@ -141,7 +141,8 @@ TEST_F(PaperSchemeTest, LargeResidualsAtTheEndFail)
   EXPECT_TRUE(isNearly(result.T_ref_cur, {}, 0, 0));
 }
 
-// The orientation search lowers the error a hundredfold; a translation step may not spend that.
+// The orientation search lowers the error by a factor of a hundred. A translation step must not
+// raise it again.
 TEST_F(PaperSchemeTest, NoTranslationStepRaisesTheErrorThatTheOrientationLeft)
 {
   for (unsigned seed = 0; seed < 10; ++seed)
@@ -160,8 +161,9 @@ TEST_F(PaperSchemeTest, NoTranslationStepRaisesTheErrorThatTheOrientationLeft)
   }
 }
 
-//   ------------------------------   Along a bare corridor the guess stands and the result says so;
-//        o ->                        across it and in heading the scans decide.
+//   ------------------------------   Along a bare corridor the position is that of the guess, and
+//   the
+//        o ->                        result reports it. Across it and in heading the scans decide.
 //   ------------------------------
 TEST_F(PaperSchemeTest, AlongACorridorTheGuessStands)
 {
@@ -185,8 +187,8 @@ TEST_F(PaperSchemeTest, AlongACorridorTheGuessStands)
   }
 }
 
-// Over many noisy pairs the error in units of its covariance, x' P^-1 x, is 3 on average if the
-// covariance is right; the scheme's early stops cost some.
+// Over many noisy pairs the mean of x' P^-1 x is 3 if the covariance P of the error x is right. The
+// scheme stops before its optimum, which raises the mean a little.
 TEST_F(PaperSchemeTest, CovarianceMatchesTheErrors)
 {
   constexpr int kPairs = 100;

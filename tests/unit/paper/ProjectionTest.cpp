@@ -11,8 +11,7 @@ namespace
 {
 constexpr double kMaxRange_m = 30;
 
-/** A current scan projected to the viewpoint of a reference scan that stands at the world's origin.
- */
+/** Tests of a current scan that is projected to the viewpoint of a reference at the origin. */
 class ProjectionTest : public testing::Test
 {
  protected:
@@ -26,7 +25,7 @@ class ProjectionTest : public testing::Test
     projectScan(rays_, current_, T_world_current, reference_, projection_);
   }
 
-  /** Rays of a wall that carry a mark. */
+  /** The number of rays of a wall with a mark. */
   int count(int wall, RayMark mark) const
   {
     int n = 0;

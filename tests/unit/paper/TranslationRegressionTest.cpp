@@ -20,7 +20,7 @@ class TranslationRegressionTest : public testing::Test
     objective_.assign(reference_, current_, options_);
   }
 
-  /** One association and one regression at a supposed pose. */
+  /** One association and one regression at a given pose. */
   Eigen::Vector2d stepAt(const Pose2& supposed, TranslationJacobian jacobian)
   {
     objective_.evaluate(supposed, supposed.phi_rad);
@@ -29,7 +29,7 @@ class TranslationRegressionTest : public testing::Test
     return solveTranslation(problem_);
   }
 
-  /** Smaller over larger eigenvalue of the normal matrix of the last problem. */
+  /** The smaller over the larger eigenvalue of the normal matrix of the last problem. */
   double informationShare() const
   {
     Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
@@ -111,7 +111,7 @@ TEST_F(CorridorRegressionTest, FrozenBearingOvershootsAndInventsInformation)
   EXPECT_GT(informationShare(), 0.3);
 }
 
-// The two scans disagree on the direction of the walls by a little, as noisy ones do.
+// The directions of the walls differ a little between the two scans, as with noise.
 TEST_F(CorridorRegressionTest, NoiseInTheNormalsIsNoInformation)
 {
   reference_.segments[0].line.phi0_rad += degToRad(0.3);
@@ -120,7 +120,7 @@ TEST_F(CorridorRegressionTest, NoiseInTheNormalsIsNoInformation)
 
 TEST_F(TranslationRegressionTest, ReliableSegmentsDecide)
 {
-  // Two walls ahead ask for different steps along x; the first has the weight.
+  // Two walls ahead give different steps along x; the first one has the larger weight.
   const Eigen::Vector2d ahead(-1, 0), left(0, -1);
   problem_.terms = {{0.02, ahead, 900}, {0.12, ahead, 100}, {0.0, left, 500}};
   EXPECT_NEAR(solveTranslation(problem_).x(), 0.9 * 0.02 + 0.1 * 0.12, 1e-12);

@@ -24,8 +24,8 @@ PsmScan noisy(const std::vector<Wall>& walls, double heading_deg)
   return prepared(scan, PsmOptions());
 }
 
-// The corridor runs along the world's x; seen from a sensor that is turned to one side it runs to
-// the other.
+// The corridor is parallel to the x axis of the world. A sensor that is turned by an angle sees it
+// at the opposite angle.
 TEST(PsmCorridor, ACorridorIsFoundWithItsDirection)
 {
   for (const double heading_deg : {0.0, 3.0, -35.0, 80.0})
@@ -99,7 +99,7 @@ TEST(PsmMatchError, RangesTellByHowMuchTheyDiffer)
   EXPECT_TRUE(std::isinf(rangeErrorIndex_m(reference, projection, 1)));
 }
 
-// One scan has a point of its own, 3 m from any of the other: the worse direction counts.
+// One scan has a point that is 3 m from all points of the other: the larger of both means counts.
 TEST(PsmMatchError, PointsTellByHowFarTheNearestIs)
 {
   const PsmScan reference = prepared(drawnScan({2, 2, 2}));

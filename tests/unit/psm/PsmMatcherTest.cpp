@@ -26,7 +26,7 @@ class PsmMatcherTest : public testing::Test
                                       guess);
   }
 
-  /** The office from the origin and from T_ref_cur, 1 cm noise. */
+  /** Matches scans of the office from the origin and from T_ref_cur with 1 cm of noise. */
   PsmResult matchOffice(const BeamGrid& grid) const
   {
     std::mt19937 rng(1);
@@ -63,7 +63,7 @@ TEST_F(PsmMatcherTest, AMotionIsFoundInAnyFieldOfViewAndDensity)
   }
 }
 
-/** The scan of the scene with left and right changed. */
+/** The scan of the reflected scene, with left and right exchanged. */
 Scan mirrored(Scan scan)
 {
   std::reverse(scan.range_m.begin(), scan.range_m.end());
@@ -121,7 +121,8 @@ TEST_F(PsmMatcherTest, IterationsEndWhereTheStepsAreSmallOrTheOptionsSay)
   EXPECT_GT(matchOffice(grid_).T_ref_cur.phi_rad, degToRad(1));
 }
 
-// A person of 0.5 m stands before the wall in the current scan only, as wide as one fifth of it.
+// In the current scan only, a person of 0.5 m width stands in front of the wall and covers a fifth
+// of it.
 TEST_F(PsmMatcherTest, LateIterationsTrustPairsThatDifferLittle)
 {
   const Scan reference = castScan(officeRoom(), {}, grid_);

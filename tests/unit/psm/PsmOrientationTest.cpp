@@ -32,7 +32,7 @@ TEST(PsmParabola, WhereItIsNotLowestInTheMiddleTheMiddleStays)
 class PsmOrientationTest : public testing::Test
 {
  protected:
-  /** The sensor turns on the spot; the projection knows nothing of it. */
+  /** Searches the turn of a sensor that turned on the spot, from a projection without a turn. */
   std::optional<double> search_deg(double turn_deg, const BeamGrid& grid, double window_deg = 20)
   {
     reference_ = preparedScene(officeRoom(), {}, grid);
@@ -47,7 +47,7 @@ class PsmOrientationTest : public testing::Test
     return turn_rad ? std::optional<double>(radToDeg(*turn_rad)) : std::nullopt;
   }
 
-  /** In rays, from no turn. */
+  /** The best shift in rays. */
   long bestShift() const
   {
     const auto smallest = std::min_element(errors_m_.begin(), errors_m_.end());
@@ -81,7 +81,7 @@ TEST_F(PsmOrientationTest, TheWindowLimitsTheReach)
   EXPECT_NEAR(*search_deg(6, open_, 7), 6, 0.25);
 }
 
-// Nothing to be seen but what is behind the sensor, where the rays of a closed scan begin and end.
+// The only object is behind the sensor, where the rays of a closed scan begin and end.
 TEST_F(PsmOrientationTest, AClosedScanIsComparedAcrossItsSeam)
 {
   const auto onlyBehind = [](Scan scan)

@@ -18,7 +18,7 @@ using test::preparedScene;
 class PsmProjectionTest : public testing::Test
 {
  protected:
-  /** The reference stands at the world's origin. */
+  /** Projects a scan to a reference that is at the origin of the world. */
   void project(const std::vector<Wall>& walls, const Pose2& T_world_current)
   {
     current_ = preparedScene(walls, T_world_current, currentGrid_);
@@ -50,7 +50,7 @@ TEST_F(PsmProjectionTest, FromItsOwnViewpointAScanIsItself)
   }
 }
 
-/** The smallest range that a surface shows at a bearing, by looking at every pair of points. */
+/** The smallest range to a surface at a bearing, found by testing every pair of points. */
 double bruteForce_m(const PsmScan& current, const Pose2& T_ref_cur, double bearing_rad)
 {
   double nearest_m = kNothing_m;

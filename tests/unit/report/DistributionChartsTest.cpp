@@ -9,7 +9,8 @@ namespace
 {
 using test::matched;
 
-/** Matcher a: errors of 1 to 5 cm; b: from another guess. Every bound is 1 cm and 1 degree. */
+/** A set with three runs. Matcher a has errors of 1 to 5 cm, matcher b another kind of guess. All
+ * bounds are 1 cm and 1 degree. */
 PairsSetResult threeRuns()
 {
   PairsSetResult set;
@@ -30,7 +31,7 @@ std::vector<std::string> namesOf(const Chart& chart)
   return names;
 }
 
-/** The limit that half of the matches are within. */
+/** The limit below which half of the matches are. */
 double medianOf(const ChartSeries& series)
 {
   for (const Eigen::Vector2d& point : series.points)

@@ -6,8 +6,8 @@
 
 namespace psmks::test
 {
-/** The first thing that keeps a document from being well-formed, "" where there is none: a tag that
- * is not closed, closed in the wrong order or never opened, or a bare ampersand. */
+/** The first reason why a document is not well-formed, or "": a tag that is not closed, is closed
+ * in the wrong order or was never opened, or a bare ampersand. */
 inline std::string firstFlaw(const std::string& html)
 {
   std::vector<std::string> open;
@@ -30,7 +30,7 @@ inline std::string firstFlaw(const std::string& html)
   return open.empty() ? "" : '<' + open.back() + "> is not closed";
 }
 
-/** How often a text holds a word. */
+/** The number of occurrences of a word in a text. */
 inline int countOf(const std::string& word, const std::string& text)
 {
   int count = 0;

@@ -10,7 +10,7 @@ namespace
 {
 using test::countOf;
 
-/** Twelve pairs; the error of pair i is i mm, so that 2 to 11 are the worst ten. */
+/** Twelve pairs. The error of pair i is i mm, so that the pairs 2 to 11 are the worst ten. */
 PairsSetResult dozen(const std::string& title)
 {
   PairsSetResult set;

@@ -6,7 +6,7 @@ namespace psmks
 {
 namespace
 {
-/** Rays a degree apart, the middle one ahead. */
+/** A scan with rays one degree apart, the middle one straight ahead. */
 Scan scanOf(const std::vector<double>& range_m)
 {
   Scan scan;

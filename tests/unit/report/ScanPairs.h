@@ -21,7 +21,7 @@ inline ScanPair forkPair(int id)
   return pair;
 }
 
-/** A match of a pair that ended so far to the right of the truth. */
+/** A match that ended a distance to the right of the truth. */
 inline PairRecord matched(int id, double error_m, double error_deg = 0)
 {
   PairRecord record;

@@ -44,7 +44,7 @@ Recording roam(const World& world, const Pose2& T_world_start, double duration_s
 
 TEST(AreaCenterDriver, DrivesStraightAtFullSpeedInTheOpen)
 {
-  // Nothing within the reach of 5 m: gain 0.48 of 1.2 m/s.
+  // There is nothing within the reach of 5 m, so the speed is the gain 0.48 times 1.2 m/s.
   const WheelSpeeds speeds = firstSpeeds(boxOf(40, 40), {0, 0, 0});
   EXPECT_NEAR(speeds.left_mps, 0.576, 0.01);
   EXPECT_EQ(speeds.left_mps, speeds.right_mps);
@@ -71,7 +71,7 @@ TEST(AreaCenterDriver, SlowsDownBeforeAWall)
 
 TEST(AreaCenterDriver, HeadsForTheMiddleOfAnEmptyBox)
 {
-  // From a corner, along the wall: after 8 s well away from it.
+  // The robot starts in a corner along the wall, and has to be away from the wall after 8 s.
   const Recording recording = roam(boxOf(10, 10), {-4, -4, 0}, 8);
   const Eigen::Vector2d end_m = recording.scans.back().T_world_robot.translation();
   EXPECT_LT(end_m.norm(), 4);

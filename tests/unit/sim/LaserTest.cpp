@@ -16,7 +16,7 @@ namespace
 //   o ->   |            |     o = (0, 0)
 World wallBeforeWall() { return World({{{5, -10}, {5, 10}}, {{2, -10}, {2, 0}}}); }
 
-/** One that errs in no way, with rays 1 degree apart. */
+/** A laser without errors, with rays 1 degree apart. */
 LaserOptions exactLaser(int rays)
 {
   LaserOptions laser;

@@ -87,7 +87,8 @@ TEST_P(PairSetsOf, ScansOverlapAndDisplacementsAreBounded)
   }
 }
 
-// What a ray ended on, looked up in the world by brute force from the true pose.
+// Compares each range with the nearest object of the world along the ray from the true pose, which
+// is found by testing all objects.
 TEST_P(PairSetsOf, RangesAreThoseOfTheWorldAtTheTruth)
 {
   for (const SimulatedPair& pair : set.pairs)
@@ -138,7 +139,8 @@ TEST(PairSets, OdometryIsOffByFivePercentAnAxis)
     along2 += std::pow((odometry.x_m - truth.x_m) / distance_m, 2) / 300;
     rotation2 += std::pow(odometry.phi_rad / truth.phi_rad - 1, 2) / 300;
   }
-  // the spread of a sigma from 300 draws is 4 %
+  // The standard deviation of a sigma that is estimated from 300 draws is 4 %; 5 times that is
+  // allowed.
   EXPECT_NEAR(std::sqrt(along2), kOdometryNoise, 0.2 * kOdometryNoise);
   EXPECT_NEAR(std::sqrt(rotation2), kOdometryNoise, 0.2 * kOdometryNoise);
 }

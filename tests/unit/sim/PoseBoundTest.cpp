@@ -18,7 +18,7 @@ namespace
 constexpr double kSigma_m = 0.01;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/** Sees everything around it, so that every object is seen by both scans. */
+/** Rays all round, so that both scans see every object. */
 const BeamGrid kAllRound = BeamGrid::centered(2 * kPi, 360);
 
 //   +-----------------+ 4     walls 0 to 3: the room; walls 4 to 7: the box; object 8: the column,
@@ -105,9 +105,10 @@ SimulatedScan seenOnly(SimulatedScan scan, const std::function<bool(int ray, int
 // ---- the same by brute force
 // ----------------------------------------------------------------------
 
-/** All that the ranges of two scans depend on: x, y, phi of T_ref_cur, then (d, alpha) of each wall
- * and (centre, radius) of each circle in the frame of the reference; ranges by trigonometry, their
- * derivatives by differences, the least squares in one dense matrix. */
+/** Computes the bound in another way. The state is x, y, phi of T_ref_cur, then (d, alpha) of each
+ * wall and (centre, radius) of each circle in the frame of the reference. Ranges come from
+ * trigonometry, their derivatives from differences, and the least squares are solved in one dense
+ * matrix. */
 class BruteForce
 {
  public:
@@ -131,11 +132,10 @@ class BruteForce
     addRays(current, true);
   }
 
-  /** How well the model gives the ranges that were cast. */
+  /** The largest difference between a range of the model and the one that was cast. */
   double worstModelError_m() const { return worstModelError_m_; }
 
-  /** Marginal information of the pose: what is left when the objects have explained all they can.
-   */
+  /** The marginal information of the pose, after eliminating the objects. */
   PoseBound bound() const
   {
     const auto rows = static_cast<Eigen::Index>(rows_.size());
@@ -314,8 +314,8 @@ TEST(PoseBound, ExactScansLeaveNoError)
   EXPECT_GT(bound.information.diagonal().minCoeff(), 1e5);
 }
 
-// A wall's range error is its distance error over the cosine of incidence: a wall seen at a slant
-// holds the sensor more tightly, not less.
+// The error of a range is that of the distance to the wall over the cosine of incidence. A range to
+// a wall seen at an angle therefore determines the distance better, not worse.
 TEST(PoseBound, RangesAtASlantKnowTheDistanceBetter)
 {
   const auto acrossSigma_m = [](double bearing_rad)
@@ -338,7 +338,7 @@ TEST(PoseBound, ABareCorridorSaysNothingAlongItself)
   EXPECT_NEAR(bound.information.row(0).norm(), 0, 1e-6 * bound.information(1, 1));
   EXPECT_GT(bound.information(1, 1), 1e6);
 
-  // Along the corridor the prior stands.
+  // Along the corridor the error is that of the prior.
   const Eigen::Vector3d prior(0.05, 0.02, 0.01);
   const Eigen::Vector3d error = mostLikelyError(bound, prior, Eigen::Matrix3d::Identity() * 1e-3);
   EXPECT_NEAR(error.x(), 0.05, 1e-6);
@@ -370,7 +370,8 @@ TEST(PoseBound, TheErrorsSpreadAsTheInformationSays)
     information = bound.information;
   }
   const Eigen::Matrix3d together = information + priorCovariance.inverse();
-  // spread * information is the identity but for the sampling: 1 / sqrt(draws / 2) = 2 %.
+  // The covariance of the draws times the information is the identity, except for the sampling
+  // error of 1 / sqrt(draws / 2) = 2 %.
   const Eigen::Matrix3d root = information.llt().matrixU(), root2 = together.llt().matrixU();
   EXPECT_TRUE((root * spread * root.transpose()).isIdentity(0.08))
       << root * spread * root.transpose();
@@ -387,8 +388,8 @@ TEST(PoseBound, AnExactPriorLeavesItsOwnError)
   EXPECT_TRUE(mostLikelyError(bound, prior, Eigen::Matrix3d::Zero()).isApprox(prior));
 }
 
-// A robot that stands still: whatever the middle scan adds to the first motion it takes off the
-// second, so the sum is as wrong as one match of the first scan with the last.
+// A robot stands still for three scans. What the noise of the middle scan adds to the first motion
+// it takes off the second, so their sum has the error of one match of the first scan with the last.
 TEST(PoseBound, AlongAChainTheNoiseOfTheMiddleScansCancels)
 {
   test::RandomNumbers random(4);

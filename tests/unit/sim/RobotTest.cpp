@@ -11,7 +11,7 @@ namespace
 {
 constexpr double kStep_s = 0.02;
 
-/** Wheels that obey at once and grip. */
+/** A robot whose wheels reach the commanded speeds at once and have no noise. */
 RobotOptions exactRobot()
 {
   RobotOptions options;

@@ -10,7 +10,7 @@ namespace psmks
 {
 namespace
 {
-/** Keeps the same speeds, for so many scans. */
+/** Commands the same speeds for a number of scans. */
 class SteadyDriver : public Driver
 {
  public:
@@ -108,7 +108,7 @@ TEST(Simulation, ARobotThatMeetsAWallStopsAtItsRadius)
 {
   SteadyDriver driver({0.6, 0.6});
   const Recording recording = simulate(room(), kStart, driver, shortDrive(15));
-  EXPECT_EQ(recording.collisions(), 1);  // it pushes on: one that lasts
+  EXPECT_EQ(recording.collisions(), 1);  // it drives on against the wall, which counts once
   EXPECT_GT(driver.bumps, 10);
   EXPECT_TRUE(recording.scans.back().bumped);
   const double clearance_m =
@@ -119,7 +119,7 @@ TEST(Simulation, ARobotThatMeetsAWallStopsAtItsRadius)
 
 TEST(Simulation, ARobotLeavesWhatWalkedIntoIt)
 {
-  // From behind, 0.3 m off, comes a disc faster than the robot and walks through it.
+  // A disc that is faster than the robot comes from 0.3 m behind and passes through it.
   World world = room();
   world.addMovingObject({0.2, 1, {{0.2, 2.3}, {6, 2.3}}});
   SteadyDriver driver({0.3, 0.3});

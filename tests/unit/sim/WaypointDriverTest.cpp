@@ -46,7 +46,7 @@ double distanceToRoute_m(const Route& route, const Eigen::Vector2d& place_m)
 TEST(WaypointDriver, DrivesToTheEndAndStops)
 {
   const Recording recording = driveAlong(kCorner, {2, 2, 0}, 60);
-  EXPECT_LT(recording.scans.size(), 300U);  // well before the time is up
+  EXPECT_LT(recording.scans.size(), 300U);  // the route ends well before the time is over
   EXPECT_LT((recording.scans.back().T_world_robot.translation() - kCorner.back()).norm(), 0.1);
   EXPECT_NEAR(recording.distance_m(), 10, 0.5);
   EXPECT_NEAR(recording.turns(), 0.25, 0.1);
@@ -62,7 +62,7 @@ TEST(WaypointDriver, TurnsOnTheSpotWhereTheRouteLeadsBack)
 {
   const Recording recording = driveAlong(kCorner, {2, 2, kPi}, 60);
   EXPECT_LT((recording.scans.back().T_world_robot.translation() - kCorner.back()).norm(), 0.1);
-  // It has turned by more than 90 degrees before it is away.
+  // The robot turns by more than 90 degrees before it leaves its place.
   const auto turned = std::find_if(recording.scans.begin(), recording.scans.end(),
                                    [](const RecordedScan& scan)
                                    { return std::abs(scan.T_world_robot.phi_rad) < kPi / 2; });

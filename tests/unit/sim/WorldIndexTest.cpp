@@ -10,7 +10,7 @@ namespace psmks
 {
 namespace
 {
-/** Rays and places all over a site and around it, drawn from a seed. */
+/** Random rays and places all over a site and around it. */
 class Questions
 {
  public:
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(All, WorldIndexOfSite, testing::ValuesIn(siteNames()),
                          [](const auto& name) { return name.param; });
 
 //   x . . . . . . . . .      walls on the borders of cells, points on their corners,
-//   |     o                  something that moves, and a lone thing far away
+//   |     o                  a moving object, and an isolated object far away
 //   +-----------
 TEST(WorldIndex, AnswersAsTheWorldDoesOnTheBordersOfCells)
 {

@@ -53,7 +53,7 @@ TEST(World, AWallBeyondTheMaximumRangeIsNothing)
 
 TEST(World, ALineIsSeenFromTheSensor)
 {
-  // The right wall, 5 m in front of a sensor at the origin that looks up: at its right hand.
+  // The right wall is 5 m from the sensor, which looks up, so that the wall is to its right.
   const Line line = roomWithBox().lineFrom(1, {1, 2, kPi / 2});
   EXPECT_NEAR(line.r0_m, 5, 1e-12);
   EXPECT_NEAR(line.phi0_rad, -kPi / 2, 1e-12);
@@ -75,7 +75,7 @@ TEST(World, ClearanceIsTheDistanceToTheNearestWall)
 }
 
 //   |
-//   |     o  . -> x      a wall at x = 0, a lone point, an arc of circle 0 and a person
+//   |     o  . -> x      a wall at x = 0, an isolated point, an arc of circle 0 and a person
 TEST(World, PointsAreDiscsOfOneCentimetre)
 {
   World world({{{0, -1}, {0, 1}}});

@@ -21,7 +21,7 @@ class GroundTruthTest : public testing::Test
  protected:
   std::string path(const std::string& name) const { return folder_.path(name); }
 
-  /** The ground truth of a log, with only that file beside it. */
+  /** The ground truth of a log that has only this file beside it. */
   std::optional<std::string> found(const std::string& log, const std::string& file) const
   {
     std::ofstream(path(file)) << "0 0 0 0\n";
