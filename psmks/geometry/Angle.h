@@ -5,6 +5,7 @@
 
 namespace psmks
 {
+/** Half a circle. Unit: rad. Definition: pi. */
 constexpr double kPi = 3.14159265358979323846;
 
 /** The angle in (-pi, pi] that points the same way. */
@@ -15,6 +16,8 @@ inline double wrapAngle(double angle_rad)
   return wrapped_rad <= -kPi ? wrapped_rad + 2 * kPi : wrapped_rad;
 }
 
+/** Degrees of one radian. Unit: deg/rad. Definition: a half circle has 180 degrees and pi radians.
+ */
 constexpr long double kDegreesPerRadian = 180 / 3.141592653589793238462643383279502884L;
 
 /** Converts degrees to radians. The product is computed in long double and rounded once, so that

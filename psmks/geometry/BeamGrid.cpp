@@ -44,7 +44,9 @@ BeamGrid::BeamGrid(double firstBearing_rad, double increment_rad, int count)
 
 BeamGrid BeamGrid::centered(double fieldOfView_rad, int count)
 {
-  const bool fullCircle = fieldOfView_rad > 2 * kPi - 1e-9;
+  /** A field of view this close to a circle is one. Definition: the rounding of angles. */
+  constexpr double kRounding_rad = 1e-9;
+  const bool fullCircle = fieldOfView_rad > 2 * kPi - kRounding_rad;
   const int steps = fullCircle ? count : count - 1;
   return {-fieldOfView_rad / 2, fieldOfView_rad / std::max(1, steps), count};
 }

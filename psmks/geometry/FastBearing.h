@@ -12,10 +12,16 @@ namespace psmks
  *  @return the bearing in [-pi, pi]; 0 at (0, 0) */
 inline float fastBearing_rad(float y, float x)
 {
+  /** A quarter and a half of a circle. Unit: rad. Definition: pi / 2 and pi as floats. */
   constexpr float kHalfPi = 1.57079632679f, kPiF = 3.14159265359f;
+
+  /** Smallest divisor. Unit: m. Definition: keeps the quotient finite where both coordinates are 0.
+   */
+  constexpr float kSmallest_m = 1e-30f;
+
   const float ax = std::fabs(x), ay = std::fabs(y);
   const float large = ax > ay ? ax : ay, small = ax > ay ? ay : ax;
-  const float t = small / (large > 1e-30f ? large : 1e-30f);
+  const float t = small / (large > kSmallest_m ? large : kSmallest_m);
   const float t2 = t * t;
   float a = t * (0.99986633f +
                  t2 * (-0.33030472f + t2 * (0.18015899f + t2 * (-0.08515587f + t2 * 0.02084487f))));

@@ -31,6 +31,8 @@ double smallerEigenvalue(const Eigen::Matrix2d& S, Eigen::Vector2d& direction)
  * single wall, takes nothing away; what rounding has left there is ignored. */
 double explainedByPosition(const Eigen::Matrix2d& position, const Eigen::Vector2d& coupling)
 {
+  /** Share of the larger eigenvalue below which the smaller one is 0. Unit: share. Definition: the
+   * rounding of the doubles from which both are computed. */
   constexpr double kRounding = 1e-9;
   Eigen::Vector2d weak;
   const double smaller = smallerEigenvalue(position, weak);

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-// Derivation of the row that a ray adds to the normal equations. The ray leaves o along the unit
-// vector e and meets an object at p = o + r e, where the surface of the object has the normal u:
+// A ray leaves o along the unit vector e and meets an object at p = o + r e, where the object's
+// surface has the normal u:
 //
-//        u                 If o moves by do, the ray turns by dphi, and the surface moves by ds
-//        ^                 along u, then the ray still ends on the surface:
-//     ___|____ p
+//        u                 If o moves by do, the ray turns by dphi and the surface moves by ds
+//        along
+//     ___^____ p           u, the ray still ends on the surface:
 //         \ |
 //          \|              u.(do + dr e + r e' dphi) = ds,   e' = e turned by 90 degrees
 //           o
@@ -21,21 +21,24 @@
 //                                   t = u turned by 90 degrees
 //     ds = dR + u.dc                a circle of radius R about c, u = (p - c) / R
 //
-// Every ray is thus one row of a linear regression of its noise on the error of the pose and on up
-// to three unknowns of its object: two of a line, three of a circle.
+// Every ray is thus one row of a linear regression of its noise on the pose and three unknowns (of
+// which a line leaves one idle) of its object alone.
 
 namespace psmks
 {
 namespace
 {
+/** First column of the object's unknowns, and the column of the noise. Unit: columns. Definition:
+ * the order of the columns of RangeInformation. */
 constexpr int kObject = 3, kNoise = 6;
 
-/** Rays that meet a surface at a smaller cosine of incidence are left out: where a ray grazes the
- * surface, its range is no longer a linear function of the pose. */
+/** Smallest cosine of incidence of a ray; one that grazes its object says nothing linear about it.
+ * Unit: cosine. Definition: at 0.001 a range is known a thousand times worse than the distance that
+ * it measures, so that such rays have no weight in any case. */
 constexpr double kMinIncidenceCosine = 1e-3;
 
-/** If elimination has reduced a pivot to less than this share of its first value, what is left of
- * it is rounding error, and the unknown counts as determined by those before it. */
+/** A pivot that elimination has reduced to this share of itself is 0. Unit: share. Definition: the
+ * rounding of doubles in sums over a thousand rays. */
 constexpr double kRankTolerance = 1e-11;
 
 Eigen::Vector2d turned90(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
@@ -72,8 +75,8 @@ void RangeInformation::add(const SurfaceRay& ray, const SurfaceContact& contact)
   ++(ray.fromCurrent ? currentRays_ : referenceRays_);
 }
 
-// The Schur complement of the unknowns of the object, by elimination. The column of an unknown that
-// depends on those before it is then zero but for rounding error, and is skipped.
+// Schur complement of the object's unknowns. The column of an unknown that depends on those before
+// it is zero by then, but for rounding.
 void RangeInformation::addTo(PoseInformation& total) const
 {
   if (referenceRays_ == 0 || currentRays_ == 0 || referenceRays_ + currentRays_ <= unknowns_)

@@ -8,8 +8,8 @@ namespace psmks
 {
 namespace
 {
-/** Rays that run nearly along a line are not associated with it: their range on the line changes
- * too fast with the bearing to say where the line is. */
+/** Smallest cosine of incidence of an associated ray; a ray that runs along a line has no range
+ * there. Unit: cosine. Evidence: measured. */
 constexpr double kMinIncidenceCosine = 0.05;
 
 bool withinMahalanobis(const Eigen::Vector2d& difference, const Eigen::Matrix2d& covariance,
@@ -51,7 +51,7 @@ int segmentAt(const SegmentedScan& scan, double index)
   return ray < 0 ? SegmentedScan::kNoSegment : scan.segmentOfRay[static_cast<std::size_t>(ray)];
 }
 
-/** The reference segments on both sides of a bearing. Inside a segment both are that segment. */
+/** The reference segments on both sides of a bearing: twice the same inside a segment. */
 struct Boundary
 {
   int below, above;
@@ -63,9 +63,7 @@ Boundary boundaryAt(const SegmentedScan& reference, double index)
   return {segmentAt(reference, below), segmentAt(reference, below + 1)};
 }
 
-/** Computes the residual r0 / cos(b - phi0) - r' of a ray on a line, where cos(b - phi0) = n.p /
- * r'.
- *  @return false if the ray runs nearly along the line */
+/** r0 / cos(b - phi0) - r' with cos(b - phi0) = n.p / r'. */
 bool compare(const Projection& p, std::size_t ray, const Eigen::Vector2d& normal, double r0_m,
              Association& a)
 {
@@ -74,7 +72,7 @@ bool compare(const Projection& p, std::size_t ray, const Eigen::Vector2d& normal
   return a.incidenceCosine > kMinIncidenceCosine;
 }
 
-/** Associates one ray with the better of two candidate lines that are similar to its own. */
+/** The associations of one ray with the similar ones of two candidate lines, the better kept. */
 class RayAssociator
 {
  public:

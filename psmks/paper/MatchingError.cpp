@@ -8,8 +8,8 @@ namespace psmks
 {
 namespace
 {
-/** The least standard deviation that is assumed of a segment. It keeps the weights finite if a scan
- * is exact, and is below the noise of every scanner. */
+/** Smallest standard deviation of a range in the weights. Definition: below that of any scanner; it
+ * keeps the weights of a simulated scan without noise finite. */
 constexpr double kLeastSigma_m = 1e-3;
 
 double leastVariance_m2(const SegmentedScan& scan)

@@ -8,10 +8,13 @@ namespace psmks
 {
 namespace
 {
-/** The number of whole steps in a range. It tolerates the rounding error of range / step. */
+/** How many steps of a size fit into a range. */
 int stepsWithin(double range_rad, double step_rad)
 {
-  return static_cast<int>(std::floor(range_rad / step_rad + 1e-6));
+  /** A step that exceeds the range by less still fits. Unit: steps. Definition: the rounding of the
+   * quotient of two angles. */
+  constexpr double kRounding = 1e-6;
+  return static_cast<int>(std::floor(range_rad / step_rad + kRounding));
 }
 
 using Trials = std::vector<PoseObjective::Trial>;
@@ -31,8 +34,7 @@ void tryAbout(PoseObjective& objective, const Pose2& start, double range_rad, do
   }
 }
 
-/** Finds the smallest error among the orientations with enough associations, see
- * searchOrientation(). */
+/** The smallest error among the orientations that associate nearly as many rays as any. */
 OrientationMinimum minimumOf(const Trials& trials, const PaperOptions& options)
 {
   int most = 0;

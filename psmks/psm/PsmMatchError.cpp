@@ -11,6 +11,7 @@ namespace
 {
 using Points = std::vector<Eigen::Vector2d>;
 
+/** Distance of a point to which there is no other. Definition: farther than any point. */
 constexpr double kNothing_m = std::numeric_limits<double>::infinity();
 
 Points goodPoints(const PsmScan& scan, const Pose2& T_to_scan)

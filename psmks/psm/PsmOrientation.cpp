@@ -59,6 +59,8 @@ int shiftsToEachSide(const BeamGrid& grid, double searchWindow_rad)
 
 double parabolaMinimum(double left, double middle, double right)
 {
+  /** Second difference of the errors below which the three points lie on a straight line.
+   * Definition: it keeps the quotient below finite; errors are centimetres. */
   constexpr double kFlat_m = 1e-4;
   const double curvature = left + right - 2 * middle;
   if (left <= middle || right <= middle || !(curvature > kFlat_m)) return 0;

@@ -44,7 +44,8 @@ class Drawing
   }
 
  private:
-  /** Tolerance, as a fraction of a ray, within which a point counts as lying on a ray. */
+  /** A point that is this share of an increment beside a ray belongs to the ray. Unit: rays.
+   * Definition: the rounding of bearings. */
   static constexpr double kRounding = 1e-9;
 
   void draw(int ray, double range_m, PsmTag tag)

@@ -10,6 +10,7 @@ namespace psmks
 {
 namespace
 {
+/** Range of a ray without a reading. Definition: farther than any reading. */
 constexpr double kNoReading_m = std::numeric_limits<double>::infinity();
 
 double maxRange_m(const Scan& scan, const PsmOptions& options)

@@ -10,9 +10,8 @@
 
 namespace psmks
 {
-/** Whether a ray is used. The source also names tags for moving objects and for mixed readings at
- * edges, but gives no rule that sets them: a mixed reading is dropped as a point without surface.
- */
+/** Whether a ray takes part. The method also has tags for moving objects and for readings on an
+ *  edge, but no rule that sets them: a reading on an edge drops out as a lone point. */
 enum class PsmTag : std::uint8_t
 {
   Good,
@@ -21,15 +20,16 @@ enum class PsmTag : std::uint8_t
   Empty         //!< projected: no surface at this bearing
 };
 
-/** A scan prepared for polar scan matching: filtered, tagged and segmented. */
+/** A scan ready for polar scan matching: filtered, tagged and segmented. */
 struct PsmScan
 {
-  /** The segment of rays that lie on no surface or have no reading. */
+  /** Segment of a point on no surface, and of a ray without a reading. Unit: index. Definition:
+   * real segments count from 1. */
   static constexpr int kNoSurface = 0;
 
   BeamGrid grid;
-  double maxRange_m = 0;        //!< infinite if there is no limit
-  std::vector<double> range_m;  //!< one per ray; infinite if the tag is BeyondRange
+  double maxRange_m = 0;        //!< infinite where there is no limit
+  std::vector<double> range_m;  //!< one per ray; infinite where BeyondRange
   std::vector<PsmTag> tag;      //!< one per ray: Good or BeyondRange
   std::vector<int> segment;     //!< one per ray: kNoSurface, or the number of a surface, from 1
 
@@ -38,13 +38,13 @@ struct PsmScan
   double range(int i) const { return range_m[static_cast<std::size_t>(i)]; }
   int segmentOf(int i) const { return segment[static_cast<std::size_t>(i)]; }
 
-  /** Whether rays i and j lie on one surface. */
+  /** True where rays i and j lie on one surface. */
   bool sameSurface(int i, int j) const
   {
     return segmentOf(i) != kNoSurface && segmentOf(i) == segmentOf(j);
   }
 
-  /** The end point of ray i in the sensor frame. The ray has to be Good. */
+  /** A good ray's point in the sensor frame. */
   Eigen::Vector2d point(int i) const { return range(i) * grid.direction(i); }
 
   int goodRays() const;
@@ -52,11 +52,11 @@ struct PsmScan
 
 /** Median filter, tags and segments of a scan (Diosi and Kleeman 2007).
  *
- *  For the median, a ray without a reading (NaN, infinite, not positive, flagged, at or beyond the
- *  maximum range) counts as farther than all readings: a single such ray between readings gets
- *  their median, and a single reading between such rays is removed. At the ends of an open scan the
- *  filter repeats the outer readings; on a closed scan it wraps.
+ *  A ray without a reading (NaN, infinite, not positive, flagged, at or beyond the maximum range)
+ *  counts as farther than any in the median, so that a single one between readings takes their
+ *  median, and a single reading between such rays disappears. The ends of an open scan are repeated
+ *  for the filter; a closed one has none.
  *
- *  It never fails: if the number of ranges differs from that of the grid, no ray is Good. */
+ *  Never fails: a scan whose ranges do not fit its grid has no good ray. */
 void preparePsmScan(const Scan& scan, const PsmOptions& options, PsmScan& result);
 }  // namespace psmks

@@ -27,6 +27,7 @@ class Segmenter
   }
 
  private:
+  /** Stands for no ray. Unit: index. Definition: no index is negative. */
   static constexpr int kNone = -1;
 
   double jump_m(int i, int before) const { return std::abs(scan_.range(i) - scan_.range(before)); }
