@@ -15,7 +15,7 @@ constexpr double kReach_m = 0.5;
  * Evidence: measured. */
 constexpr double kSameRadius = 3;
 
-/** Index of the circle whose centre is nearest to a place and within reach, or -1. */
+/** Index of the circle whose centre is nearest to a point, or -1 where none is within kReach_m. */
 int nearestCircle(const std::vector<Circle>& circles, const Eigen::Vector2d& place_m)
 {
   int nearest = -1;
@@ -30,9 +30,11 @@ int nearestCircle(const std::vector<Circle>& circles, const Eigen::Vector2d& pla
   return nearest;
 }
 
-/** Both centres are compared under the condition that the radii are one: the errors of centre and
- * radius go together, so a difference of the radii tells one of the centres.
- *  @return false where the radii differ or the centres then stand beyond the gate */
+/** Compares two circles under the condition that their radii are equal, equation (4) of
+ * docs/algorithm.md. The errors of a centre and of its radius are correlated, so that the
+ * difference of the radii tells part of the error of the centres.
+ *  @param[out] pair the corrected centres with the information of their difference
+ *  @return false where the radii differ or the corrected centres are farther apart than the gate */
 bool compare(const Circle& ref, const Circle& cur, const Pose2& T_ref_cur, double gate_m,
              CirclePairTerm& pair)
 {

@@ -9,17 +9,21 @@
 
 namespace psmks
 {
-/** Which circles of two scans have found each other. */
+/** Which circles of two scans are paired. */
 struct PairedCircles
 {
-  std::bitset<kMostCircles> reference, current;
-  int rays = 0;  //!< of the current scan, on paired circles
+  std::bitset<kMostCircles> reference, current;  //!< one bit per circle
+  int rays = 0;                                  //!< rays of the current scan on its paired circles
 };
 
-/** Associates circles at a pose: two that are nearest to each other, whose radii agree, and that
- * stand within the gate once they are taken for one circle of one radius.
+/** Pairs the circles of two scans at a pose. Two circles are a pair if each is the nearest one to
+ * the other, their radii agree, and their centres are within the gate once both are taken for one
+ * circle of one radius, equation (4) of docs/algorithm.md.
  *
- * @param[in,out] pairs the pairs are appended */
+ * Differs from the paper: it pairs segments alone.
+ *
+ *  @param gate_m largest distance of the centres
+ *  @param[in,out] pairs the pairs are appended to it */
 PairedCircles pairCircles(const std::vector<Circle>& reference, const std::vector<Circle>& current,
                           const Pose2& T_ref_cur, double gate_m,
                           std::vector<CirclePairTerm>& pairs);

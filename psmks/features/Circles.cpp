@@ -62,7 +62,8 @@ struct Fit
   double chi2;
 };
 
-/** Sums of the regression x = f + a y + k q over the rays of a run, by which a curve is begun. */
+/** Sums of the regression x = f + a y + k q with q = (x^2 + y^2) / 2 over the points of a run,
+ * which gives the first estimate of a circle. */
 class BendSums
 {
  public:
@@ -73,7 +74,10 @@ class BendSums
     yy_ += y * y, yq_ += y * q, qq_ += q * q, xy_ += x * y, xq_ += x * q;
   }
 
-  /** False where the bend is not worth `chi2_m2` of squared residuals, or the wrong way. */
+  /** Solves the regression.
+   *  @param chi2_m2 what the bend has to take off the sum of the squared residuals
+   *  @return false where it takes off less, or bends towards the scanner like the inside of a
+   * circle */
   bool solve(double chi2_m2, double& f, double& a, double& k) const
   {
     const double yy = yy_ - y_ * y_ / n_, yq = yq_ - y_ * q_ / n_, qq = qq_ - q_ * q_ / n_;
@@ -90,6 +94,7 @@ class BendSums
   double n_ = 0, y_ = 0, q_ = 0, x_ = 0, yy_ = 0, yq_ = 0, qq_ = 0, xy_ = 0, xq_ = 0;
 };
 
+/** Finds the circles of a scan, run by run of neighbouring rays. */
 class CircleFinder
 {
  public:
@@ -118,7 +123,8 @@ class CircleFinder
  private:
   double range_m(int ray) const { return scan_.range_m[static_cast<std::size_t>(ray)]; }
 
-  /** No ray on a long straight wall. An arc near by passes for a row of short ones. */
+  /** Whether a ray is valid and on no long segment. A near arc is segmented into several short
+   * ones. */
   bool mayBeRound(int ray) const
   {
     if (!scan_.isValid(ray)) return false;
@@ -131,17 +137,20 @@ class CircleFinder
     return (segment.lastEnd_m - segment.firstEnd_m).squaredNorm() >= kShortWall_m * kShortWall_m;
   }
 
+  /** Whether a ray and the one before it may be on one object. */
   bool isJoined(int ray) const
   {
     return std::abs(range_m(ray) - range_m(ray - 1)) < kLargestStep_m;
   }
 
+  /** Whether a run is exactly one segment, and so straight. */
   bool isOneSegment(int first, int last) const
   {
     const Segment* segment = scan_.segmentAt(first);
     return segment && segment->firstRay == first && segment->lastRay == last;
   }
 
+  /** Fits a circle to a run and keeps it if it fits. */
   void tryRun(int first, int last)
   {
     variance_m2_ = scan_.rangeVarianceOf_m2((first + last) / 2);
@@ -153,9 +162,10 @@ class CircleFinder
     if (fits(fit, last - first + 1)) keep(fit, first, last);
   }
 
-  /** From the circle k/2 (x2 + y2) + a y - x + f = 0, with x along the middle ray. Its gradient has
-   * the same length all round, so that the residuals count alike.
-   *  @return false where the run is straight or hollow */
+  /** Estimates the circle k/2 (x^2 + y^2) + a y - x + f = 0 by linear regression, with x along the
+   * middle ray and the origin at its end. The gradient of the left side has the same length all
+   * round the circle, so that all residuals have the same weight.
+   *  @return false where the run is straight, or bends like the inside of a circle */
   bool start(int first, int last, Fit& fit) const
   {
     const int middle = (first + last) / 2;
@@ -175,9 +185,9 @@ class CircleFinder
     return true;
   }
 
-  /** One Gauss-Newton step.
-   *  @param[out] gain by which it lowers chi2
-   *  @return false where it leads out of what is round */
+  /** Makes one Gauss-Newton step.
+   *  @param[out] gain what the step takes off chi2
+   *  @return false where it leads to a radius that is too small or too large */
   bool step(int first, int last, Fit& fit, double& gain) const
   {
     linearise(first, last, fit);
@@ -189,8 +199,9 @@ class CircleFinder
     return fit.radius_m > kSmallest_m && fit.radius_m < kLargest_m;
   }
 
-  /** The residual of a ray is the distance of its end from the circle, the row of its derivatives
-   * (u, 1) with the outward normal u where the ray meets the circle, and the noise that of the
+  /** Computes the normal equations of a fit (docs/algorithm.md, circles). The residual of a ray is
+   * the distance of its end from the circle. Its derivatives by centre and radius are -(u, 1) with
+   * the outward normal u where the ray meets the circle. Its standard deviation is that of the
    * range times the cosine of incidence. */
   void linearise(int first, int last, Fit& fit) const
   {
@@ -214,12 +225,14 @@ class CircleFinder
     }
   }
 
+  /** Whether chi2 is within what its distribution allows. */
   static bool fits(const Fit& fit, int rays)
   {
     const double freedom = rays - 3;
     return fit.chi2 < freedom + kMisfit * std::sqrt(2 * freedom);
   }
 
+  /** Adds a circle to the result if its radius is known well enough. */
   void keep(const Fit& fit, int first, int last)
   {
     const Eigen::Matrix3d covariance = fit.information.inverse();
@@ -233,7 +246,7 @@ class CircleFinder
   const SegmentedScan& scan_;
   std::vector<Circle>& circles_;
   std::vector<int>& circleOfRay_;
-  double variance_m2_ = 0;  //!< of a range of the run that is tried
+  double variance_m2_ = 0;  //!< variance of a range of the run that is fitted
 };
 }  // namespace
 

@@ -7,35 +7,34 @@
 
 namespace psmks
 {
-/** A round thing seen from outside: a pillar, a pole, the trunk of a tree, a leg. */
+/** A round object seen from outside: a pillar, a pole, the trunk of a tree, a leg. */
 struct Circle
 {
-  Eigen::Vector2d centre_m;
-  double radius_m;
+  Eigen::Vector2d centre_m;    //!< in the sensor frame
+  double radius_m;             //!< above 0
   Eigen::Matrix3d covariance;  //!< of (centre x, centre y, radius), m^2
-  int firstRay, lastRay;       //!< index on the grid
+  int firstRay, lastRay;       //!< indices on the grid
 };
 
 /** Most circles of one scan; no more are looked for. Unit: circles. Definition: capacity of bit
  * sets. */
 constexpr std::size_t kMostCircles = 64;
 
-/** Finds the round things among the rays that belong to no segment.
+/** Finds circles among the rays that are on no segment, or on short ones.
  *
  *       .--.
- *      (    )       4 rays or more in a row that see its near side, bent enough to tell from a
- *       o  o        straight line, to the noise on a circle
- *        oo
+ *      (    )       A circle is seen by 4 consecutive rays or more. They bend significantly, and
+ * lie o  o        on the circle within the noise of their ranges. oo
  *         |
  *      scanner
  *
- * From few rays centre and radius are poorly known, but their errors go together: what faces the
- * scanner is known well. The covariance says so.
+ * A short arc leaves the centre and the radius uncertain, but their errors are correlated: the side
+ * that faces the scanner is known well. The covariance tells so (docs/algorithm.md, circles).
  *
  * Differs from the paper: there such rays are single points, which are not matched.
  *
- * @param[out] circles in the order of their rays
- * @param[out] circleOfRay index into circles of every ray, or -1 */
+ *  @param[out] circles in the order of their rays, kMostCircles at most; what it held is replaced
+ *  @param[out] circleOfRay index into `circles` for every ray, or -1 */
 void findCircles(const SegmentedScan& scan, std::vector<Circle>& circles,
                  std::vector<int>& circleOfRay);
 }  // namespace psmks

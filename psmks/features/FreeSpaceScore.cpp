@@ -44,8 +44,8 @@ class PointBlock
    * register. */
   static constexpr std::size_t kCapacity = 32;
 
-  /** Takes every `stride`-th point from `first` on, as many as fit.
-   *  @return index of the first point not taken */
+  /** Loads every `stride`-th point from `first` on, as many as fit.
+   *  @return index of the next point to load */
   std::size_t load(const RayPoints& points, std::size_t first, std::size_t stride)
   {
     size_ = 0;
@@ -60,6 +60,7 @@ class PointBlock
     return first;
   }
 
+  /** Transforms the points into another frame. */
   void move(const Pose2& T)
   {
     const auto c = static_cast<float>(std::cos(T.phi_rad)),
@@ -73,11 +74,13 @@ class PointBlock
     }
   }
 
+  /** Finds the cell of the surface at the bearing of each point. */
   void find(const PolarLookup& surface)
   {
     for (std::size_t i = 0; i < kCapacity; ++i) cell_[i] = surface.cellOf(x_[i], y_[i]);
   }
 
+  /** Adds the points to the counts. */
   void count(const PolarLookup& surface, float tolerance_m, RayCounts& counts) const
   {
     RayCounts n;
@@ -97,7 +100,7 @@ class PointBlock
         ++(movable_[i] ? n.moved : n.front);
       else if (std::min(a_m, b_m) > 0)
         ++(surface.movable(k) ? n.uncovered : n.behind);
-      // Between the near and the far side of a jump anything may stand: such a ray says nothing.
+      // A point between the near and the far side of a jump is not counted: anything may be there.
     }
     counts += n;
   }

@@ -7,16 +7,18 @@
 
 namespace psmks
 {
-/** How the rays of one scan stand to the surfaces of another. */
+/** How many end points of one scan lie on, in front of and behind the surfaces that another scan
+ * saw at their bearings. */
 struct RayCounts
 {
-  int on = 0;         //!< on the surface seen at their bearing
-  int front = 0;      //!< before it, in space the other scan saw free
-  int behind = 0;     //!< behind it: wrong, or hidden from the other viewpoint
-  int moved = 0;      //!< before it, but on a free-standing object that may have moved there
-  int uncovered = 0;  //!< behind a free-standing object that may have moved away
+  int on = 0;         //!< on the surface
+  int front = 0;      //!< in front of the surface, in space that the other scan saw free
+  int behind = 0;     //!< behind the surface: at a wrong pose, or hidden from the other viewpoint
+  int moved = 0;      //!< in front of the surface, on a movable object that may have come there
+  int uncovered = 0;  //!< behind a movable object that may have gone away
   int unknown = 0;    //!< outside the field of view, or where the other scan has no return
 
+  /** Number of all points. */
   int counted() const { return on + front + behind + moved + uncovered + unknown; }
 
   RayCounts& operator+=(const RayCounts& o)
@@ -27,21 +29,23 @@ struct RayCounts
   }
 };
 
-/** Counts every `stride`-th point of a scan, moved by T_surface_points, against the surfaces of
- * another.
- *  @param tolerance_m distance within which a point is on a surface */
+/** Counts the points of one scan against the surfaces of another.
+ *  @param T_surface_points maps the points into the frame of the surfaces
+ *  @param tolerance_m distance within which a point is on a surface
+ *  @param stride every so many points are counted */
 RayCounts countRays(const RayPoints& points, const PolarLookup& surface,
                     const Pose2& T_surface_points, float tolerance_m, int stride = 1);
 
-/** Share of rays explained, 0 to 1:
+/** Share of the rays that a pose explains, 0 to 1 (docs/algorithm.md, free-space score):
  *
  *     s = on / (on + front + (behind + moved) / 2 + uncovered / 4) * min(1, seen / 0.4)
  *
- * where `seen` is the share of rays that are not unknown. A ray behind counts half, for it may have
- * been hidden; so does one on an object that may have moved. A wrong pose can fit the pairs it has
- * kept, but it puts rays of walls into free space (docs/algorithm.md). */
+ * where `seen` is the share of the rays that are not unknown. A ray behind the surface counts half,
+ * because it may have been hidden; so does a ray on an object that may have moved. A wrong pose can
+ * fit the pairs that it has kept, but it puts rays of walls into free space. */
 double freeSpaceScore(const RayCounts& counts);
 
-/** Distance within which a point is on a surface, for ranges of this noise. */
+/** Distance within which a point counts as on a surface: three standard deviations of a range and 1
+ * cm, and 4 cm at least. */
 float surfaceTolerance_m(double rangeSigma_m);
 }  // namespace psmks

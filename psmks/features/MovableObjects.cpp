@@ -13,15 +13,19 @@ constexpr double kJump_m = 0.3;
 /** Width of a movable object, at most: a person with a bag. Evidence: measured. */
 constexpr double kWidest_m = 0.8;
 
-/** Whether the ray beyond an object's end sees clearly farther; no return counts as far. */
+/** Whether the ray beside the end of an object sees clearly farther than the end. A ray without a
+ * return counts as far.
+ *  @param end last ray of the object on this side
+ *  @param beyond the ray beside it, or -1 at the end of the field of view */
 bool dropsBehind(const SegmentedScan& scan, int end, int beyond)
 {
-  if (beyond < 0) return false;  // the end of the field of view tells nothing
+  if (beyond < 0) return false;  // what is beyond the field of view may be as near
   return !scan.isValid(beyond) || scan.range_m[static_cast<std::size_t>(beyond)] >
                                       scan.range_m[static_cast<std::size_t>(end)] + kJump_m;
 }
 
-/** Whether two neighbouring rays see one surface. */
+/** Whether two neighbouring rays are on one object.
+ *  @param b index of the second ray, or -1 at the end of the field of view */
 bool joined(const SegmentedScan& scan, int a, int b)
 {
   return b >= 0 && scan.isValid(b) &&
@@ -29,7 +33,9 @@ bool joined(const SegmentedScan& scan, int a, int b)
                   scan.range_m[static_cast<std::size_t>(b)]) <= kJump_m;
 }
 
-/** Flags the object that begins at a ray beyond which nothing near is seen, if it is one. */
+/** Flags the rays of the object that begins at a ray, if it is narrow and what is beyond its other
+ * end is clearly farther.
+ *  @param first a ray beside which dropsBehind() */
 void flagObject(const SegmentedScan& scan, int first, std::vector<std::uint8_t>& movable)
 {
   const Eigen::Vector2d first_m = scan.point_m(first);
@@ -53,7 +59,7 @@ void findMovableObjects(const SegmentedScan& scan, std::vector<std::uint8_t>& mo
   {
     if (!scan.isValid(first)) continue;
     if (dropsBehind(scan, first, scan.grid.neighbour(first, -1))) flagObject(scan, first, movable);
-    // An object begins where a segment does, not within.
+    // An object does not begin within a segment.
     if (const Segment* segment = scan.segmentAt(first)) first = scan.rayAfter(*segment, first) - 1;
   }
 }

@@ -8,15 +8,18 @@
 
 namespace psmks
 {
-/** Flags the rays on free-standing small objects: consecutive rays, not wider than a person with a
- * bag, with everything seen beside them clearly farther away.
+/** Flags the rays on small free-standing objects, such as a person, a chair or a cart, which may
+ * have moved between two scans.
  *
  *      --------   --------   wall
- *             . o .          object: nearer than what is left and right of it
- *              \|/
+ *             . o .          object: consecutive rays, not wider than a person with a bag, and
+ *              \|/           clearly nearer than what is seen to their left and right
  *            scanner
  *
- * Such an object - a person, a chair, a cart - may have moved between two scans. Walls and their
- * corners never look like this. */
+ * Walls and their corners never look like this.
+ *
+ * Differs from the paper: it knows no movable objects.
+ *
+ *  @param[out] movable one flag per ray, 0 or 1; what it held is replaced */
 void findMovableObjects(const SegmentedScan& scan, std::vector<std::uint8_t>& movable);
 }  // namespace psmks

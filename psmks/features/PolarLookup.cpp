@@ -33,13 +33,15 @@ void PolarLookup::build(const SegmentedScan& scan, const std::vector<AnchoredLin
   flagCells(scan.valid, movableRays);
 }
 
-/** The tangent of the circle through the end point of a ray without a line. */
+/** The surface of a ray without a line: the tangent, at the end point of the ray, of the circle
+ * about the scanner. */
 PolarLookup::Side PolarLookup::roundSide(const SegmentedScan& scan, std::size_t ray)
 {
   return {static_cast<float>(scan.grid.cosines()[ray]), static_cast<float>(scan.grid.sines()[ray]),
           static_cast<float>(scan.range_m[ray]), -1};
 }
 
+/** Sets the flags of each cell to those that both of its rays have. */
 void PolarLookup::flagCells(const std::vector<std::uint8_t>& valid,
                             const std::vector<std::uint8_t>& movable)
 {

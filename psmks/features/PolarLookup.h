@@ -11,40 +11,43 @@
 
 namespace psmks
 {
-/** What a scan says of the world in every direction, prepared for fast look-ups.
+/** The surfaces that a scan saw in every direction, prepared for fast look-ups.
  *
- * Between two neighbouring rays k and k+1 stand two surfaces: the line of ray k and the line of ray
- * k+1, each extended over the gap (paper, section 2.1: the line equation replaces interpolation,
- * and at the ends of succeeding segments both lines are candidates). A ray without a line stands
- * for the circle through its end point. */
+ * Cell k lies between the neighbouring rays k and k+1. It has two surfaces, the line of ray k and
+ * the line of ray k+1, each extended over the cell (paper, section 2.1: the line equation replaces
+ * interpolation, and between two segments both lines are candidates). A ray without a line stands
+ * for the circle about the scanner through its end point. */
 class PolarLookup
 {
  public:
-  /** One surface. Distances are n.p - d: negative in front of it, seen from the scanner. */
+  /** One surface: the line n.p = d. */
   struct Side
   {
-    float nx, ny, d;
-    int line;  //!< index into the lines it was built with, or -1
+    float nx, ny, d;  //!< unit normal, and distance from the scanner in m
+    int line;         //!< index into the lines of build(), or -1
 
+    /** Signed distance of a point, negative in front of the surface as seen from the scanner. */
     float distance_m(float x, float y) const { return nx * x + ny * y - d; }
   };
 
-  /** @param lines of segments and patches
-   *  @param lineOfRay index into lines of every ray, or -1
-   *  @param movableRays one flag per ray, see findMovableObjects()
-   *  Refers to none of them afterwards. Allocates only when the number of rays or lines grows. */
+  /** Prepares the surfaces of a scan. The arguments are not referred to afterwards. Allocates only
+   * where the scan has more rays or lines than any scan before.
+   *  @param lines of the segments, short lines and surfels
+   *  @param lineOfRay index into `lines` for every ray, or -1
+   *  @param movableRays one flag per ray, see findMovableObjects() */
   void build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
              const std::vector<int>& lineOfRay, const std::vector<std::uint8_t>& movableRays);
 
+  /** Number of cells: one less than rays, on a closed grid as many. */
   int cells() const { return cells_; }
 
-  /** The surfaces of the rays on both sides of a cell: elements 0 and 1. */
+  /** The two surfaces of a cell: elements 0 and 1 of the array. */
   const Side* sides(int k) const { return sides_.data() + k; }
 
-  /** Whether both rays of a cell returned. */
+  /** Whether both rays of a cell have a return. */
   bool known(int k) const { return flags_[static_cast<std::size_t>(k)] & kKnown; }
 
-  /** Whether both sides of a cell are a free-standing small object. */
+  /** Whether both rays of a cell are on movable objects. */
   bool movable(int k) const { return flags_[static_cast<std::size_t>(k)] & kMovable; }
 
   /** Index of the cell that holds the direction of a point; -1 outside the field of view. */
@@ -69,9 +72,9 @@ class PolarLookup
   /** Flags of a cell, combined by bitwise or. Unit: bit. Definition: distinct bits. */
   static constexpr std::uint8_t kKnown = 1, kMovable = 2;
 
-  std::vector<Side> sides_;          //!< one per ray; on a closed grid the first again at the end
+  std::vector<Side> sides_;          //!< one per ray, then the first one again
   std::vector<Side> lineSides_;      //!< one per line
-  std::vector<std::uint8_t> flags_;  //!< one per cell
+  std::vector<std::uint8_t> flags_;  //!< kKnown and kMovable, one per cell
   int cells_ = 0;
   bool closed_ = false;
   float centre_rad_ = 0, centreIndex_ = 0, raysPerRadian_ = 1;

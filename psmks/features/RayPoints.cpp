@@ -20,7 +20,7 @@ void RayPoints::build(const SegmentedScan& scan, const std::vector<std::uint8_t>
   keepValid(scan.valid);
 }
 
-/** Moves the points of valid rays together. */
+/** Drops the points of invalid rays, and closes the gaps. */
 void RayPoints::keepValid(const std::vector<std::uint8_t>& valid)
 {
   std::size_t n = 0;

@@ -8,13 +8,14 @@
 
 namespace psmks
 {
-/** End points of the valid rays of a scan, one array a coordinate. */
+/** End points of the valid rays of a scan as a structure of arrays. */
 struct RayPoints
 {
-  std::vector<float> x_m, y_m;
-  std::vector<std::uint8_t> movable;  //!< of each point, see MovableObjects.h
+  std::vector<float> x_m, y_m;        //!< coordinates in the sensor frame, one per point
+  std::vector<std::uint8_t> movable;  //!< one flag per point, see findMovableObjects()
 
-  /** @param movableRays one flag per ray; empty = none */
+  /** Replaces the points by those of a scan, in the order of its rays.
+   *  @param movableRays one flag per ray; empty where no ray is on a movable object */
   void build(const SegmentedScan& scan, const std::vector<std::uint8_t>& movableRays = {});
 
   std::size_t size() const { return x_m.size(); }

@@ -12,22 +12,41 @@
 
 namespace psmks
 {
-/** A scan with everything derived from it that a joint match looks up. */
+/** A segmented scan with all features that the joint scheme pairs and scores. */
 struct ScanFeatures
 {
+  /** The scan that the features were found in. */
   const SegmentedScan* scan = nullptr;
+
+  /** The surfaces that the scan saw, for the free-space score. */
   PolarLookup surface;
+
+  /** The end points of the valid rays, for the free-space score. */
   RayPoints points;
 
-  std::vector<Segment> lineFeatures;  //!< the segments, in their order, then the short lines
-  std::vector<AnchoredLine> lines;    //!< one per straight, in their order, then the patches
-  std::vector<int> lineOfRay;         //!< index into lines, or -1
-  std::vector<std::uint8_t> movable;  //!< one flag per ray, see MovableObjects.h
-  std::vector<Circle> circles;
-  std::vector<int> circleOfRay;      //!< index into circles, or -1
-  std::vector<int> unsegmentedRays;  //!< valid rays without a segment
+  /** The segments of the scan, in their order, and after them the short lines. */
+  std::vector<Segment> lineFeatures;
 
-  /** Keeps a pointer to the scan. */
+  /** One line for each line feature, in their order, and after them the surfels. */
+  std::vector<AnchoredLine> lines;
+
+  /** Index into `lines` for each ray, or -1. */
+  std::vector<int> lineOfRay;
+
+  /** One flag per ray, see findMovableObjects(). */
+  std::vector<std::uint8_t> movable;
+
+  /** The circles, see findCircles(). */
+  std::vector<Circle> circles;
+
+  /** Index into `circles` for each ray, or -1. */
+  std::vector<int> circleOfRay;
+
+  /** Indices of the valid rays without a segment. */
+  std::vector<int> unsegmentedRays;
+
+  /** Finds all features of a scan. Keeps a pointer to the scan, which has to outlive this object's
+   * use. Allocates only where the scan has more of a feature than any scan before. */
   void build(const SegmentedScan& segmented);
 
  private:

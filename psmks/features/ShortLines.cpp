@@ -22,6 +22,7 @@ constexpr double kGate = 3;
 /** Smallest cosine of incidence of the first and the last ray. Unit: cosine. Evidence: measured. */
 constexpr double kSteepest = 0.2;
 
+/** Finds the short lines of a scan, one after the other. */
 class ShortLineFinder
 {
  public:
@@ -41,15 +42,15 @@ class ShortLineFinder
   }
 
  private:
+  /** Whether a ray is valid and neither on a segment nor on a circle. */
   bool isSingle(int ray) const
   {
     return scan_.isValid(ray) && !scan_.segmentAt(ray) &&
            circleOfRay_[static_cast<std::size_t>(ray)] < 0;
   }
 
-  /** Whether the first rays lie on one line: quickly, by the test of three rays
-   * (CollinearityStatistic.h).
-   */
+  /** Whether the first three rays of a line from here lie on one line, by the equation in
+   * CollinearityStatistic.h. It rejects most rays at little cost. */
   bool mayBegin(int first) const
   {
     for (int ray = first; ray < first + kFewestRays; ++ray)
@@ -70,8 +71,8 @@ class ShortLineFinder
     return {scan_.grid.cosines()[i], scan_.grid.sines()[i], scan_.range_m[i], 1 / scan_.range_m[i]};
   }
 
-  /** The line that begins at a ray, if any.
-   *  @return its last ray, or the ray itself */
+  /** Grows a line from a ray, and keeps it if it is one.
+   *  @return the last ray of the line; `first` where there is none */
   int lineFrom(int first)
   {
     const double variance_m2 = scan_.rangeVarianceOf_m2(first);
@@ -96,6 +97,8 @@ class ShortLineFinder
     return keep(line, variance_m2, sums.rays(), first, last) ? last : first;
   }
 
+  /** Adds a line to the result if it is long enough and not grazed.
+   *  @return whether it was added */
   bool keep(const LineInformation::Solution& solution, double variance_m2, int rays, int first,
             int last)
   {
@@ -115,6 +118,7 @@ class ShortLineFinder
     return true;
   }
 
+  /** The point of a line at the bearing of a ray. */
   Eigen::Vector2d endAt(const Line& line, int ray) const
   {
     return line.rangeAt_m(scan_.grid.bearing_rad(ray)) * scan_.grid.direction(ray);

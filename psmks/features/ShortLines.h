@@ -8,21 +8,23 @@
 
 namespace psmks
 {
-/** Straight lines through too few rays for a segment: a wall far away, seen between two nearer
- * things.
+/** Finds straight lines through too few rays for a segment, such as a distant wall that is seen
+ * between two nearer objects (docs/algorithm.md, short lines).
  *
- *       o----o----o         3 rays or more in a row, farther apart than the width of a leg or a
- *         \  |  /           pillar, on one line to the noise
+ *       o----o----o         A short line is seen by 3 consecutive rays or more. It is longer than
+ *         \  |  /           a leg or a pillar is wide, and the rays lie on it within their noise.
  *          scanner
  *
- * Three points of different things rarely lie on a line, and a curve that bends less than the noise
- * over such a length is straight for every purpose here.
+ * Three points of different objects rarely lie on one line. A curve that bends less than the noise
+ * over such a length may pass for straight.
  *
  * Differs from the paper: there such rays are single points, which are not matched. Seen through
  * clutter, most walls are short lines.
  *
- * @param circleOfRay rays with one are left alone, see findCircles()
- * @param[out] lines in the order of their rays, which stay without a segment in the scan */
+ *  @param circleOfRay index of the circle of each ray; rays that have one, which is not negative,
+ * are left out, see findCircles()
+ *  @param[out] lines in the order of their rays, which stay without a segment in the scan; what it
+ * held is replaced */
 void findShortLines(const SegmentedScan& scan, const std::vector<int>& circleOfRay,
                     std::vector<Segment>& lines);
 }  // namespace psmks

@@ -42,18 +42,19 @@ class SurfelFinder
       if (const Segment* segment = scan_.segmentAt(first))
         first = scan_.rayAfter(*segment, first);
       else
-        first = patchFrom(first) + 1;
+        first = surfelFrom(first) + 1;
   }
 
  private:
+  /** Whether a ray is valid and on no line. */
   bool single(int ray) const
   {
     return scan_.isValid(ray) && lineOfRay_[static_cast<std::size_t>(ray)] < 0;
   }
 
-  /** The patch that begins at a ray, if any.
-   *  @return its last ray, or the ray itself */
-  int patchFrom(int first)
+  /** Fits a surfel to the rays from one on that are near enough to each other.
+   *  @return the last of these rays */
+  int surfelFrom(int first)
   {
     if (!single(first)) return first;
     LineInformation sums;
@@ -75,6 +76,7 @@ class SurfelFinder
     return last;
   }
 
+  /** Adds a surfel to the result if it is neither rough nor grazed. */
   void keep(const LineInformation& sums, int first, int last)
   {
     LineInformation::Solution s{};
@@ -82,12 +84,12 @@ class SurfelFinder
     const double variance_m2 =
         std::max(scan_.rangeVarianceOf_m2(first), s.chi2 / std::max(1, sums.rays() - 2));
     if (variance_m2 > kRoughest_m * kRoughest_m) return;
-    AnchoredLine patch(s.line(variance_m2));
-    const double cosine = patch.normal.dot(scan_.point_m((first + last) / 2).normalized());
+    AnchoredLine surfel(s.line(variance_m2));
+    const double cosine = surfel.normal.dot(scan_.point_m((first + last) / 2).normalized());
     if (cosine < kSteepest) return;
-    patch.distanceVariance_m2 += kShape_m * kShape_m;
+    surfel.distanceVariance_m2 += kShape_m * kShape_m;
     const int index = static_cast<int>(lines_.size());
-    lines_.push_back(patch);
+    lines_.push_back(surfel);
     for (int ray = first; ray <= last; ++ray) lineOfRay_[static_cast<std::size_t>(ray)] = index;
   }
 

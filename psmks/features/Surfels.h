@@ -8,20 +8,21 @@
 
 namespace psmks
 {
-/** Short pieces of line through the rays that belong to no segment: arcs of pillars, door jambs,
- * rough objects.
+/** Finds surfels: short pieces of line through rays that are on no other line, such as those on
+ * arcs of pillars, door jambs and rough objects.
  *
- *        o o            cut into pieces not longer than 25 cm, of 3 rays or more
+ *        o o            A surfel has 3 rays or more, and is not longer than 25 cm.
  *      o     o
  *     o       o
  *
- * They are not straight; their distance counts as known to the noise and 1 cm of shape.
+ * The surface is not straight. The variance of a surfel's distance is therefore that of its rays
+ * and 1 cm squared.
  *
  * Differs from the paper: there single points are not matched. In places with few straight walls
  * they are most of what can be matched.
  *
- * @param[in,out] lines the patches are appended
- * @param[in,out] lineOfRay index into lines of every ray, or -1; set for the rays of patches */
+ *  @param[in,out] lines the surfels are appended to it
+ *  @param[in,out] lineOfRay index into `lines` for every ray, or -1; set for the rays of surfels */
 void appendSurfels(const SegmentedScan& scan, std::vector<AnchoredLine>& lines,
                    std::vector<int>& lineOfRay);
 }  // namespace psmks
