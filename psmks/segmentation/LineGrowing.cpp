@@ -40,7 +40,7 @@ LineGrowing::LineGrowing(const SegmentationOptions& options, RaySoA& rays,
   runs_.clear();
 }
 
-// ---- growth ------------------------------------------------------------------------------------
+// ---- grow() ------------------------------------------------------------------------------------
 
 void LineGrowing::grow()
 {
@@ -71,7 +71,8 @@ void LineGrowing::growAll(const Filter& fresh)
   }
 }
 
-/** A seed of few rays bends to an outlier at its first: seen from the grown line it stands out. */
+/** Takes the first ray out of a grown line if the line does not accept it. The seed, a line of few
+ * rays, bends towards an outlier among them; the grown line does not. */
 template <class Filter>
 void LineGrowing::dropOutlyingStart(const Filter& grown, LineRun& run)
 {
@@ -83,7 +84,8 @@ void LineGrowing::dropOutlyingStart(const Filter& grown, LineRun& run)
   while (mark(run.first) == SegmentedScan::kNoSegment);
 }
 
-/** The sums of the seed at a position, if all of its rays are valid and on one line. */
+/** Computes the sums of the seed at a position.
+ *  @return whether all of its rays are valid and lie on one line */
 bool LineGrowing::seedAt(int position, LineInformation& sums) const
 {
   for (int p = position; p < position + options_.seedRays; ++p)
@@ -91,21 +93,24 @@ bool LineGrowing::seedAt(int position, LineInformation& sums) const
     if (!rays_.valid(p)) return false;
     sums.addMoments(moments(p));
   }
-  // About the 0.998 quantile of chi2 for the one to four degrees of freedom of a seed.
+  // This approximates the 0.998 quantile of chi2 for one to four degrees of freedom.
   const double gate = options_.innovationGate;
   return chi2(sums) < gate * gate + options_.seedRays - 3;
 }
 
-/** Grows a line from position `from` by steps of +1 or -1 up to and including `limit`. An isolated
- *  outlier is passed over; a second one soon after ends the line before the first.
- *  @return the last position of the line on this side */
+/** Grows a line to one side, ray by ray or in blocks. An isolated outlier is skipped; a second
+ * outlier soon after it ends the line before the first.
+ *  @param index of the run, which its rays are marked with
+ *  @param from position of the line's outermost ray on this side
+ *  @param step +1 or -1
+ *  @param limit last position that the line may reach
+ *  @return the outermost position of the line on this side */
 template <class Filter>
 int LineGrowing::growSide(Filter& filter, LineRun& run, int index, int from, int step, int limit)
 {
-  int hole = 0, sinceOutlier = kOutlierMemory;
-  int sinceRefusal = RaySoA::kBlock;  // rays that went singly since a block was refused
-  int last = from;
-  BeforeOutlier<Filter> beforeOutlier{from, run.sums, filter};
+  int last = from, hole = 0, sinceOutlier = kOutlierMemory;
+  BeforeOutlier<Filter> before{from, run.sums, filter};
+  int sinceRefusal = RaySoA::kBlock;  // rays that were tested singly since a block was refused
   for (int p = from + step; p != limit + step && hole <= kLongestHole; p += step)
   {
     if (sinceRefusal >= RaySoA::kBlock)
@@ -128,14 +133,19 @@ int LineGrowing::growSide(Filter& filter, LineRun& run, int index, int from, int
       ++sinceOutlier;
       continue;
     }
-    if (sinceOutlier < kOutlierMemory) return restore(beforeOutlier, filter, run, index, p, step);
-    beforeOutlier = {last, run.sums, filter};
+    if (sinceOutlier < kOutlierMemory)
+    {
+      giveBack(before, p, step, index, filter, run);
+      return before.last;
+    }
+    before = {last, run.sums, filter};
     sinceOutlier = 0;
   }
   return last;
 }
 
-/** Grows a line by the valid ray at a position, if its filter accepts it. */
+/** Grows a line by one ray if the filter accepts it.
+ *  @return whether the ray was taken */
 template <class Filter>
 bool LineGrowing::takeRay(Filter& filter, LineRun& run, int index, int position)
 {
@@ -147,20 +157,21 @@ bool LineGrowing::takeRay(Filter& filter, LineRun& run, int index, int position)
   return true;
 }
 
-/** Takes from a line the rays that it has accepted since an outlier, up to the position `reached`.
- *  @return the last position of the line before the outlier */
+/** Makes a line what it was before its last outlier: the rays since then, up to a position, become
+ * free again. */
 template <class Filter>
-int LineGrowing::restore(const BeforeOutlier<Filter>& before, Filter& filter, LineRun& run,
-                         int index, int reached, int step)
+void LineGrowing::giveBack(const BeforeOutlier<Filter>& before, int position, int step, int index,
+                           Filter& filter, LineRun& run)
 {
-  const int next = before.last + step;
-  reassign(std::min(next, reached), std::max(next, reached), index, SegmentedScan::kNoSegment);
+  const int first = before.last + step;
+  reassign(std::min(first, position), std::max(first, position), index, SegmentedScan::kNoSegment);
   run.sums = before.sums;
   filter = before.filter;
-  return before.last;
 }
 
-/** Grows a line by the block of rays that comes next, if it accepts all of them. */
+/** Grows a line by the next block of rays if the linear filter accepts all of them.
+ *  @param from position of the first ray of the block, in the direction of `step`
+ *  @return whether the block was taken */
 template <class Filter>
 bool LineGrowing::takeBlock(Filter& filter, LineRun& run, int index, int from, int step, int limit)
 {
@@ -180,14 +191,14 @@ bool LineGrowing::takeBlock(Filter& filter, LineRun& run, int index, int from, i
   return false;
 }
 
-/** Changes the mark of the rays between two positions (both included) that carry `from`. */
+/** Marks with `to` those rays between two positions (both included) that carry the mark `from`. */
 void LineGrowing::reassign(int firstPosition, int lastPosition, int from, int to)
 {
   for (int p = firstPosition; p <= lastPosition; ++p)
     if (mark(p) == from) mark(p) = to;
 }
 
-// ---- corners and merging -----------------------------------------------------------------------
+// ---- contestCorners() and mergeCollinear() ------------------------------------------------------
 
 void LineGrowing::contestCorners()
 {
@@ -196,14 +207,14 @@ void LineGrowing::contestCorners()
       contest(static_cast<int>(right) - 1, static_cast<int>(right));
 }
 
-/** Contested are the rays of either line within reach of the corner; either keeps a seed beyond
- * them.
+/** Moves the corner between two runs to its best place. The rays of both lines within reach of the
+ * corner are contested; each line keeps the rays of a seed beyond them.
  *
- *   left  o o o o o|. . . . . .|          rays up to the split go to the left line, the others to
+ *   left  o o o o o|. . . . . .|          rays before the split go to the left line, the others to
  *                  |. . . . . .|o o o o   the right line
  *
- * From the split that growth has left, others are tried to both sides, until chi2 has not fallen
- * for some rays. */
+ * The search begins at the corner that growth has left and goes to both sides, until chi2 has not
+ * fallen for kPatience rays. */
 void LineGrowing::contest(int leftIndex, int rightIndex)
 {
   LineRun& left = runs_[static_cast<std::size_t>(leftIndex)];
@@ -225,10 +236,11 @@ void LineGrowing::contest(int leftIndex, int rightIndex)
   settleEnds(left, right, leftIndex, rightIndex, begin, end);
 }
 
-/** Moves a split ray by ray, giving the rays of one line to the other, and keeps the best.
- *  @param step +1: rays of the right line go to the left one, up to `limit` exclusive; -1: the
- * other way, down to `limit` inclusive
- *  @param from the mark of the rays that are given away */
+/** Moves a split ray by ray and keeps the one with the smallest chi2.
+ *  @param step +1 gives rays of the right line to the left one, up to `limit` (excluded); -1 gives
+ * rays of the left line to the right one, down to `limit` (included)
+ *  @param from the mark of the rays that are given away
+ *  @param[in,out] best the best split so far */
 void LineGrowing::moveSplit(Split split, int step, int limit, int from, Split& best) const
 {
   LineInformation& giving = step > 0 ? split.right : split.left;
@@ -249,7 +261,8 @@ void LineGrowing::moveSplit(Split split, int step, int limit, int from, Split& b
   }
 }
 
-/** After a contest: the ends of both lines are their outermost rays in the contested stretch. */
+/** Sets the ends of two contested runs to their outermost rays.
+ *  @param begin, end the contested positions, `end` excluded */
 void LineGrowing::settleEnds(LineRun& left, LineRun& right, int leftIndex, int rightIndex,
                              int begin, int end)
 {
@@ -261,6 +274,7 @@ void LineGrowing::settleEnds(LineRun& left, LineRun& right, int leftIndex, int r
     if (mark(p) == rightIndex) right.first = p;
 }
 
+/** Whether two runs touch and are one line. */
 bool LineGrowing::collinear(const LineRun& left, const LineRun& right) const
 {
   if (right.first - left.last > kLongestGap + 1) return false;

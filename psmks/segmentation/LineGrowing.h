@@ -8,49 +8,56 @@
 
 namespace psmks
 {
-/** A line in the making: a run of rays, most of which belong to it. */
+/** A line that is being grown: the stretch of rays that it covers, most of which belong to it. */
 struct LineRun
 {
-  int first = 0, last = 0;  //!< positions, see LineGrowing
+  int first = 0, last = 0;  //!< positions of its outermost rays, as in RaySoA
   LineInformation sums;     //!< of the rays that belong to it
 };
 
-/** The lines of a scan while they are made: grown, contested and merged.
+/** Finds the lines of a scan in three steps: grow(), contestCorners(), mergeCollinear().
  *
- * Rays are counted by position, see RaySoA. A ray that belongs to run k carries the mark k;
- * runs stand in the order of their positions and do not overlap. */
+ * Rays are addressed by their positions in RaySoA. A ray that belongs to run k carries the mark k.
+ * Runs stand in the order of their positions and do not overlap. */
 class LineGrowing
 {
  public:
-  /** @param rays of a cleaned scan, with their moments and no mark; marked here
-   *  @param runs storage; what it held is replaced */
+  /** All arguments are kept by reference.
+   *  @param rays the columns of a cleaned scan, with their moments and without marks; the steps
+   * mark them
+   *  @param runs storage for the runs; what it held is replaced */
   LineGrowing(const SegmentationOptions& options, RaySoA& rays, std::vector<LineRun>& runs);
 
-  /** Lines grown from seeds by the filter the options choose (paper, section 2: Kalman
-   *  Segmentation). */
+  /** Grows lines from seeds of consecutive rays by the Kalman filter that the options choose
+   * (paper, section 2: Kalman Segmentation). */
   void grow();
 
-  /** Rays between two touching lines go to the line that explains them: the corner is put where the
-   *  sum of both chi2 is smallest. */
+  /** Moves the corner between each two touching lines to where the sum of both chi2 is smallest:
+   * the maximum-likelihood corner (docs/algorithm.md, segmentation). */
   void contestCorners();
 
-  /** Touching lines become one where a common line raises chi2 by less than chance allows. */
+  /** Merges touching lines whose common line raises chi2 by less than
+   * SegmentationOptions::mergeChi2.
+   */
   void mergeCollinear();
 
+  /** The lines found so far. */
   const std::vector<LineRun>& runs() const { return runs_; }
 
-  /** Cuts a run in two where that lowers chi2 by more than chance does over all cuts: what looked
-   * like one line ray by ray may be two that are a few millimetres apart. False where it is one
-   * line.
-   *  @param mark of the run's rays; both parts keep it */
+  /** Cuts a run in two if that lowers chi2 by more than the best of all cuts does by chance. Two
+   * walls a few millimetres apart pass for one line ray by ray.
+   *  @param mark of the run's rays; the rays of both parts keep it
+   *  @param[out] left, right the parts; unchanged where the run is not cut
+   *  @return whether the run was cut */
   bool cut(const LineRun& run, int mark, LineRun& left, LineRun& right) const;
 
  private:
-  /** The state of a growing line before the last outlier that it passed over. */
+  /** A line as it was before its last outlier. Growth returns to it where a second outlier follows.
+   */
   template <class Filter>
   struct BeforeOutlier
   {
-    int last;  //!< position of its last ray
+    int last;  //!< position of its outermost ray
     LineInformation sums;
     Filter filter;
   };
@@ -62,20 +69,20 @@ class LineGrowing
   template <class Filter>
   bool takeRay(Filter& filter, LineRun& run, int index, int position);
   template <class Filter>
-  int restore(const BeforeOutlier<Filter>& before, Filter& filter, LineRun& run, int index,
-              int reached, int step);
+  void giveBack(const BeforeOutlier<Filter>& before, int position, int step, int index,
+                Filter& filter, LineRun& run);
   template <class Filter>
   bool takeBlock(Filter& filter, LineRun& run, int index, int from, int step, int limit);
   template <class Filter>
   void dropOutlyingStart(const Filter& grown, LineRun& run);
   bool seedAt(int position, LineInformation& sums) const;
 
-  /** Where one line ends and the next begins. */
+  /** A place of the corner between two lines, with the sums of both. */
   struct Split
   {
     int at;  //!< first position of the right line
     LineInformation left, right;
-    double chi2_m2;  //!< of both
+    double chi2_m2;  //!< sum over both lines
   };
 
   void contest(int left, int right);

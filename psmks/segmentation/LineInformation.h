@@ -8,7 +8,7 @@
 
 namespace psmks
 {
-/** A ray as the line filters see it. */
+/** What the line filters need of a ray. */
 struct MeasuredRay
 {
   double cosine, sine;  //!< of its bearing
@@ -16,23 +16,26 @@ struct MeasuredRay
   double inverseRange_1_m;
 };
 
-/** The linear line filter in information form.
+/** The Kalman filter of a line in information form.
  *
- * With u = n / r0 a ray of direction e = (cos b, sin b) that meets the line has 1/r = u.e, exactly
- * linear in u (docs/algorithm.md; B.2 of the derivation). Its variance is sigma^2 / r^4, so the
- * weight is r^4 / sigma^2. The information sums of a set of rays,
+ * A ray of direction e = (cos b, sin b) that meets the line n.p = r0 has the inverse range 1/r =
+ * u.e with u = n / r0, which is exactly linear in u: equation (1) of docs/algorithm.md. The
+ * variance of the inverse range is sigma^2 / r^4, so that the weight is w = r^4 / sigma^2. The sums
+ * over a set of rays
  *
- *     M = sum w e e',   v = sum w e / r,   q = sum w / r^2,
+ *     M = sum w e e',   v = sum w e / r,   q = sum w / r^2
  *
  * give u = M^-1 v and chi2 = q - v'u. They are additive: a Kalman update is an addition, a ray is
- * dropped by a subtraction, two lines are joined by adding their sums. Kept here for sigma = 1 m;
- * a caller divides chi2 and covariances by the variance it holds true. Where the noise grows with
- * the range, moments are to be multiplied by RangeNoise::weightAt(); sigma is then that of short
- * ranges. */
+ * dropped by a subtraction, and two lines are joined by adding their sums.
+ *
+ * The sums are kept for sigma = 1 m. A caller multiplies covariances by the true variance of a
+ * range, and divides chi2 by it. Where the noise grows with the range, moments have to be
+ * multiplied by RangeNoise::weightAt() first; sigma then is the standard deviation of short ranges.
+ */
 class LineInformation
 {
  public:
-  /** What one ray adds to M (three entries), v (two) and q. */
+  /** What one ray adds to the sums: three entries of M, two of v, and q. */
   using Moments = Eigen::Array<double, 6, 1>;
 
   static Moments moments(double cosine, double sine, double range_m)
@@ -77,28 +80,29 @@ class LineInformation
 
   int rays() const { return rays_; }
 
-  /** u and the sums' inverse, for predictions. */
+  /** The line that the sums give. */
   struct Solution
   {
     double u0, u1;         //!< u = n / r0, 1/m
-    double p00, p01, p11;  //!< M^-1
-    double chi2;           //!< m^2: residual sum of squares in range, to first order
+    double p00, p01, p11;  //!< M^-1, the covariance of u for sigma = 1 m
+    double chi2;           //!< sum of the squared range residuals to first order, m^2
 
+    /** Inverse range of the line in a direction, 1/m. */
     double inverseRange(double cosine, double sine) const { return u0 * cosine + u1 * sine; }
 
-    /** Variance of inverseRange() for sigma = 1 m. */
+    /** Variance of inverseRange() for ranges with a standard deviation of 1 m. */
     double inverseRangeVariance(double cosine, double sine) const
     {
       return cosine * cosine * p00 + 2 * cosine * sine * p01 + sine * sine * p11;
     }
 
-    /** As a line with its covariance, for ranges of the given variance. */
+    /** The line in polar form, with its covariance for ranges of the given variance. */
     Line line(double variance_m2) const
     {
       Line line;
       line.r0_m = 1 / std::hypot(u0, u1);
       line.phi0_rad = std::atan2(u1, u0);
-      // d(r0, phi0)/du with |u| = 1 / r0
+      // J is the derivative of (r0, phi0) by u, with |u| = 1 / r0.
       const double r2 = line.r0_m * line.r0_m, r3 = r2 * line.r0_m;
       Eigen::Matrix2d J, inverse;
       J << -u0 * r3, -u1 * r3, -u1 * r2, u0 * r2;
@@ -108,7 +112,8 @@ class LineInformation
     }
   };
 
-  /** False where the rays do not fix a line (fewer than two directions). */
+  /** Computes the line of the sums.
+   *  @return false where the rays do not fix a line: they have fewer than two directions */
   bool solve(Solution& s) const
   {
     const double m00 = sums_[0], m01 = sums_[1], m11 = sums_[2], v0 = sums_[3], v1 = sums_[4];
@@ -122,7 +127,7 @@ class LineInformation
     return true;
   }
 
-  /** The residual sum of squares alone, m^2; 0 where the rays do not fix a line. */
+  /** Solution::chi2 without the rest; 0 where the rays do not fix a line. */
   double chi2_m2() const
   {
     const double m00 = sums_[0], m01 = sums_[1], m11 = sums_[2], v0 = sums_[3], v1 = sums_[4];

@@ -7,7 +7,8 @@ namespace psmks
 {
 namespace
 {
-/** A column that begins with element `first`, goes round, and ends in a block of zeros. */
+/** Copies values into a column that begins with element `first`, goes on with element 0 after the
+ * last, and ends in a block of zeros. */
 void copyFrom(const double* source, int count, int first, std::vector<double>& column)
 {
   column.resize(static_cast<std::size_t>(count + RaySoA::kBlock));

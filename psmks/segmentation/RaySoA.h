@@ -8,12 +8,12 @@
 
 namespace psmks
 {
-/** The rays of a cleaned scan as line filters go through them: column by column, in the order of
- * their positions.
+/** The rays of a cleaned scan as a structure of arrays, addressed by position.
  *
- * Position 0 is the first ray of an open scan, and the ray at the strongest break of a closed one,
- * so that no wall is cut by the seam. Every column is longer than there are rays by a block of
- * places that hold no valid ray, so that loops may go in whole blocks. */
+ * Positions count the rays of an open scan from the first one. In a closed scan position 0 is the
+ * ray that strongestBreak() finds, so that no wall is cut by the seam of the grid. Every column has
+ * one block of places more than there are rays. They hold invalid rays, so that loops may read
+ * whole blocks. */
 struct RaySoA
 {
   /** Rays that a filter takes at once. Unit: rays. Definition: width of the vectors in the code,
@@ -23,24 +23,26 @@ struct RaySoA
   using Block = Eigen::Array<double, kBlock, 1>;
   using BlockView = Eigen::Map<const Block>;
 
-  std::vector<double> cosine, sine;               //!< of the bearing
+  std::vector<double> cosine, sine;               //!< of the bearings
   std::vector<double> range_m;                    //!< 0 where invalid
   std::vector<double> inverseRange_1_m;           //!< 0 where invalid
-  std::vector<LineInformation::Moments> moments;  //!< of the valid rays, weighed by their noise
-  std::vector<int> mark;                          //!< the line a ray belongs to, or kNoSegment
+  std::vector<LineInformation::Moments> moments;  //!< weighted by the noise; 0 where invalid
+  std::vector<int> mark;                          //!< index of a ray's line, or kNoSegment
   int rays = 0;
   int start = 0;     //!< ray index of position 0
   RangeNoise noise;  //!< of the ranges
 
-  /** Everything but moments, in the order of the rays; the noise is that of the scan. */
+  /** Fills all columns but the moments, with position 0 at the first ray of the scan. The noise
+   * becomes that of the scan, all marks kNoSegment. */
   void load(const SegmentedScan& scan);
 
-  /** Begins with another ray instead. */
+  /** Fills the same columns with position 0 at another ray. The noise stays as it is. */
   void startAt(const SegmentedScan& scan, int ray);
 
+  /** Fills the moments from the other columns and the noise. */
   void computeMoments();
 
-  /** Ray index of a position. */
+  /** Index on the grid of the ray at a position. */
   int ray(int position) const
   {
     const int i = start + position;
@@ -55,6 +57,7 @@ struct RaySoA
     return {cosine[p], sine[p], range_m[p], inverseRange_1_m[p]};
   }
 
+  /** kBlock entries of a column, from a position on. */
   static BlockView block(const std::vector<double>& column, int position)
   {
     return BlockView(column.data() + position);

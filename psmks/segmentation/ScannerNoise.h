@@ -3,20 +3,20 @@
 
 namespace psmks
 {
-/** Tells noise from clutter by many scans of one scanner: noise shows in nearly all of them,
- * clutter, which looks alike to a single scan, in some. */
+/** Tells noise from clutter by many scans of one scanner. In a single scan both look alike; over
+ * many scans, noise shows in nearly all of them and clutter only in some. */
 class ScannerNoise
 {
  public:
-  /** @param showsMore whether the scan shows clearly more noise than stated, see
-   *  SegmentedScan::showsMoreNoise */
+  /** Counts a scan.
+   *  @param showsMore SegmentedScan::showsMoreNoise of it */
   void add(bool showsMore)
   {
     ++scans_;
     noisy_ += showsMore ? 1 : 0;
   }
 
-  /** Whether what a scan shows is to be believed; true before the first scan. */
+  /** Whether the noise that a scan shows is that of the scanner; true before the first scan. */
   bool isBelieved() const
   {
     /** Share of its scans in which a noisy scanner shows its noise, at least. Unit: share.

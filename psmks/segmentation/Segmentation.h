@@ -9,7 +9,8 @@
 
 namespace psmks
 {
-/** Scratch of the segmentation, kept between scans so that nothing is allocated after the first. */
+/** Storage of the segmentation. Kept from scan to scan, it saves every allocation after the first.
+ */
 struct SegmentationBuffers
 {
   std::vector<double> scratch;  //!< one number per ray, for medians
@@ -17,18 +18,22 @@ struct SegmentationBuffers
   std::vector<LineRun> runs;
 };
 
-/** Preprocessing and Kalman Segmentation of a scan (paper, section 2, step 1).
+/** Preprocessing and Kalman Segmentation of a scan (paper, section 2, step 1; docs/algorithm.md,
+ * segmentation).
  *
- * Steps: invalid rays out; range sigma settled; lines grown from seeds of consecutive rays by a
- * Kalman filter with an innovation gate, to the right and then to the left; contested corner rays
- * given to the line that explains them; collinear neighbours merged; every line finished by
- * Gauss-Newton; what is short, curved or noisy is dropped and its rays stay single points.
+ * 1. cleanScan() and medianFilter() take out invalid rays.
+ * 2. findRounding() and shownNoise() determine the noise of the ranges.
+ * 3. LineGrowing grows lines from seeds of consecutive rays by a Kalman filter with an innovation
+ *    gate, moves their corners to the most likely place, and merges collinear neighbours.
+ * 4. fitLine() fits every line to its rays by one Gauss-Newton step. Lines that are two are cut.
+ *    Lines that are short, curved or noisy are dropped, and their rays stay single points.
  *
- * Never throws for bad data: a scan without a valid ray gives no segments. Allocates nothing once
+ * Bad data never throw: a scan without a valid ray has no segments. Nothing is allocated once
  * `buffers` and `result` have served a scan of as many rays.
  *
- * @param[out] result the cleaned scan with its segments; whatever it held is replaced
- * @param scanner what other scans of the scanner have shown; by default a scan is believed */
+ * @param[out] result the cleaned scan with its segments; what it held is replaced
+ * @param scanner what earlier scans of the same scanner have shown; by default every scan's own
+ * noise is believed */
 void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
                  const SegmentationOptions& options, SegmentationBuffers& buffers,
                  SegmentedScan& result, const ScannerNoise& scanner = {});

@@ -10,63 +10,81 @@
 
 namespace psmks
 {
-/** A scan after preprocessing and Kalman Segmentation: what a matcher works on.
- *
- * Segments stand in the order of their first rays. */
+/** A scan after preprocessing and Kalman Segmentation, which the matching schemes work on. */
 struct SegmentedScan
 {
   /** Stands in segmentOfRay for a ray without a segment. Unit: index. Definition: no index is
    * negative. */
   static constexpr int kNoSegment = -1;
 
+  /** The bearings of the rays. */
   BeamGrid grid;
-  std::vector<double> range_m;      //!< one per ray; 0 where invalid, finite and positive elsewhere
-  std::vector<std::uint8_t> valid;  //!< one per ray
-  RangeNoise rangeNoise;            //!< the one that lines were found with
-  RangeNoise shownNoise;            //!< the one that the scan shows; clutter looks like it
-  bool showsMoreNoise = false;      //!< shownNoise is clearly more than stated, with rounding
-  double maxRange_m = 0;            //!< as in Scan
+
+  /** One range per ray; 0 where the ray is invalid, finite and positive elsewhere. */
+  std::vector<double> range_m;
+
+  /** One flag per ray, 0 or 1. */
+  std::vector<std::uint8_t> valid;
+
+  /** Noise that the lines were found with. */
+  RangeNoise rangeNoise;
+
+  /** Noise that the scan itself shows. Clutter looks like noise, see ScannerNoise. */
+  RangeNoise shownNoise;
+
+  /** Whether `shownNoise` is more than the stated noise with that of rounding. */
+  bool showsMoreNoise = false;
+
+  /** Range limit and stamp, as in Scan. */
+  double maxRange_m = 0;
   double stamp_s = 0;
+
+  /** The segments, in the order of their first rays. */
   std::vector<Segment> segments;
-  std::vector<int> segmentOfRay;  //!< index into segments, or kNoSegment
+
+  /** Index into `segments` for each ray, or kNoSegment. */
+  std::vector<int> segmentOfRay;
 
   int rays() const { return grid.count(); }
   int validRays() const;
   bool hasValidRay() const;
   bool isValid(int ray) const { return valid[static_cast<std::size_t>(ray)] != 0; }
 
+  /** Variance of the range of a valid ray by `rangeNoise`. */
   double rangeVarianceOf_m2(int ray) const
   {
     return rangeNoise.varianceAt_m2(range_m[static_cast<std::size_t>(ray)]);
   }
 
-  /** Standard deviation of a range: root mean square over the valid rays. */
+  /** Standard deviation of a range by `rangeNoise`: root mean square over the valid rays. */
   double typicalRangeSigma_m() const { return typicalSigma_m(rangeNoise); }
 
-  /** The same by the noise that the scan shows. */
+  /** Standard deviation of a range by `shownNoise`: root mean square over the valid rays. */
   double shownRangeSigma_m() const { return typicalSigma_m(shownNoise); }
 
-  /** The measured end point of a valid ray. */
+  /** Measured end point of a valid ray, in the sensor frame. */
   Eigen::Vector2d point_m(int ray) const
   {
     return range_m[static_cast<std::size_t>(ray)] * grid.direction(ray);
   }
 
-  /** The segment of a ray, or null. */
+  /** The segment that a ray belongs to, or null. */
   const Segment* segmentAt(int ray) const
   {
     const int s = segmentOfRay[static_cast<std::size_t>(ray)];
     return s == kNoSegment ? nullptr : &segments[static_cast<std::size_t>(s)];
   }
 
-  /** The first ray beyond a segment that a ray of it is on, going up; rays() where the segment goes
-   * on across the seam. */
+  /** The first ray after a segment, for a loop over the rays that skips it.
+   *  @param ray a ray between the ends of the segment
+   *  @return its index; rays() where the segment goes on across the seam of a closed scan */
   int rayAfter(const Segment& segment, int ray) const
   {
     return segment.lastRay < ray ? rays() : segment.lastRay + 1;
   }
 
-  /** Range on the segment's line where the ray has one (de-noised), else the measured range. */
+  /** Range of a ray on the line of its segment, which is free of the ray's own noise; the measured
+   * range where the ray has no segment. */
   double denoisedRange_m(int ray) const;
 
  private:
