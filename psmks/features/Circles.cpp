@@ -24,7 +24,7 @@ constexpr double kSmallest_m = 0.02;
 /** Largest radius. Evidence: measured. */
 constexpr double kLargest_m = 1.5;
 
-/** Chi2 that a bend has to gain over a straight line. Unit: chi2. Definition: three standard
+/** Chi2 that a bend has to gain over a straight line. Unit: chi2. Evidence: three standard
  * deviations with 1 degree of freedom. */
 constexpr double kBent = 9;
 
@@ -39,7 +39,7 @@ constexpr double kRadiusSigma_m = 0.1;
 /** Most Gauss-Newton steps of a fit. Unit: steps. Evidence: measured. */
 constexpr int kSteps = 2;
 
-/** A fit has settled once a step gains less than this. Unit: chi2. Definition: chance moves chi2 by
+/** A fit has settled once a step gains less than this. Unit: chi2. Evidence: chance moves chi2 by
  * more than 1. */
 constexpr double kSettled = 0.1;
 

@@ -32,7 +32,7 @@ constexpr double kSmallestTolerance_m = 0.04;
 constexpr double kToleranceMargin_m = 0.01;
 
 /** Standard deviations of a range that the tolerance includes. Unit: standard deviations.
- * Definition: 99.7 % of normal errors. */
+ * Evidence: 99.7 % of normal errors. */
 constexpr double kToleranceSigmas = 3;
 
 /** A block of points as seen from the scanner of the surface. Its loops run over arrays of fixed

@@ -19,7 +19,7 @@ namespace
 constexpr double kSame_m = 1e-5;
 
 /** Smallest rounding step that counts, as a multiple of the stated standard deviation. Unit:
- * standard deviations. Definition: rounding to this step adds 1.75^2 / 12, a quarter, to the
+ * standard deviations. Evidence: rounding to this step adds 1.75^2 / 12, a quarter, to the
  * variance and an eighth to the standard deviation; less is no matter. */
 constexpr double kCoarse = 1.75;
 
@@ -92,18 +92,18 @@ constexpr int kBins = 40;
  * to 6 cm; shorter ones do not show in bins of 1 cm. */
 constexpr int kWaves = 20;
 
-/** Width of a bin. Definition: a sixth of the shortest wave. */
+/** Width of a bin. Evidence: a sixth of the shortest wave. */
 constexpr double kBin_m = 0.01;
 
-/** Smallest difference that is counted. Definition: half of the shortest wave; smaller ones count
+/** Smallest difference that is counted. Evidence: half of the shortest wave; smaller ones count
  * for no wave. */
 constexpr double kFirst_m = 0.03;
 
-/** Length of the longest wave. Definition: above 0.8 cells of 20 cm, the coarsest usual grid map.
+/** Length of the longest wave. Evidence: above 0.8 cells of 20 cm, the coarsest usual grid map.
  */
 constexpr double kLongest_m = 0.2;
 
-/** Difference of the frequencies of two neighbouring waves. Definition: a quarter of a period over
+/** Difference of the frequencies of two neighbouring waves. Evidence: a quarter of a period over
  * all bins, so that no step falls between two waves. */
 constexpr double kSpacing_1_m = 0.6;
 
