@@ -10,11 +10,11 @@ namespace psmks
 namespace
 {
 /** Neighbouring single rays whose ranges differ by less lie on one surface. Evidence: the original
- * polar scan matching takes 20 cm in its segmentation; measured. */
+ * polar scan matching takes 20 cm in its segmentation. */
 constexpr double kSurfaceStep_m = 0.20;
 
 /** How much nearer a surface has to be to hide a point. The lines of two segments that meet in a
- * corner cross by a few centimetres. Evidence: measured. */
+ * corner cross by a few centimetres. Evidence: open. */
 constexpr double kHidingMargin_m = 0.10;
 
 /** Smallest range of a projected point. Definition: it keeps 1 / range finite where the reference

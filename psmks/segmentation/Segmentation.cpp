@@ -20,15 +20,15 @@ namespace
 constexpr int kEkfStartRays = 9;
 
 /** Distance of a line from the scanner below which it is no segment, in standard deviations of a
- * range. Unit: standard deviations. Evidence: measured. */
+ * range. Unit: standard deviations. Evidence: open. */
 constexpr double kLeastDistance = 5;
 
 /** A covariance is widened where chi2 per degree of freedom exceeds 1 by so many of its standard
- * deviations. Unit: standard deviations. Evidence: measured. */
+ * deviations. Unit: standard deviations. Evidence: open. */
 constexpr double kSignificance = 3;
 
 /** A line is examined for a cut where the correlation of its neighbouring residuals exceeds so many
- * standard deviations. Unit: standard deviations. Evidence: measured. */
+ * standard deviations. Unit: standard deviations. Evidence: open. */
 constexpr double kNotWhite = 2.5;
 
 /** Range noise from the header of the scan, else from the options. */
