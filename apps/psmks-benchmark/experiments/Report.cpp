@@ -11,24 +11,24 @@ namespace
 const char* const kIntroduction = R"(# Experiments
 
 Written by `psmks-benchmark experiments`; tables and pictures are generated, and every number is one of
-the drives below. They are the experiments of sections 3 and 4 of the paper, on worlds of our own with
-the paper's counts of walls and points: the authors' maps are not public.
+the drives below. They repeat the experiments of sections 3 and 4 of the paper on other worlds with
+the same numbers of walls and points, because the authors' maps are not public.
 
 A simulated Pioneer 3-AT (wheel noise +-5 %, drawn anew every 20 ms for each wheel) carries a scanner of
 181 rays over 180 degrees with 1 cm of noise at 10 Hz. In the first four worlds the Area Center method
 drives it for ten minutes; in the last two a person would, along a route. Every method gets the same
-scans and the same odometry. The paper does not state the range of its laser: 30 m is the main setting,
-8 m the harder one.
+scans and the same odometry. The paper does not state the range of its laser; 30 m is the main setting,
+and 8 m the more difficult one.
 
 - **paper**: the paper's scheme, matched whenever the robot has moved 0.8 m or turned 20 degrees, against
   the scan matched before.
-- **joint sequential**: our scheme on the very same pairs. **joint keyframe**: every scan, against a scan
-  that stays for as long as enough of it is seen. **joint map**: every scan, against the
+- **joint sequential**: the joint scheme on the same pairs. **joint keyframe**: every scan, against a scan
+  that stays the reference for as long as enough of it is seen. **joint map**: every scan, against the
   nearest of all keyframes, which are matched against each other.
 - **MRPT ICP**: `mrpt::slam::CICP`, default parameters, on the same pairs as the paper's scheme.
 - **floor**: the drift that is left when each of the method's pairs of scans is matched by maximum
   likelihood, knowing which ray met which object but not where the objects are, with the noise that the
-  scans and the wheels really had ([algorithm.md](algorithm.md), "Drift floor"). To first order no
+  scans and the wheels really had ([derivations.md](derivations.md#drift-floor)). To first order no
   matcher can do better on average, only by chance.
 - dr and |dtheta| are the errors of the robot's pose at the accepted matches, seen from its true start.
   Numbers are means over the drives, in brackets the smallest and the largest; max is the worst of all.
@@ -44,26 +44,26 @@ a true wall.
 
 const char* const kReading = R"(## Reading the tables
 
-- Maps, the range of the laser and the driver's constants are ours, so ratios to odometry compare
-  better with the paper's than centimetres do.
+- Maps, the range of the laser and the constants of the driver differ from the paper's, so that ratios to
+  the odometry compare better with the paper than centimetres do.
 - **Heading of the paper's scheme.** The orientation search ends on a grid of 0.1 degrees, which alone
-  leaves 0.03 degrees a match. Over 450 matches in a row that is half a degree in the end, and along
-  corridors the heading decides the position. With
-  `--set paper.fine_step_deg=0.02` a third of the heading error is left in the room and three quarters
-  in the corridors, at twice the time; but the step is the paper's.
+  leaves an error of 0.03 degrees in each match. Over 450 matches in a row this adds up to half a degree, and
+  along corridors the heading decides the position. With `--set paper.fine_step_deg=0.02` a third of the heading
+  error is left in the room and three quarters in the corridors, at twice the time. The tables use the step of
+  the paper.
 - **The paper's scheme among round things** (curved): on many scans fewer than 30 rays lie on segments
-  that both scans share, and by the paper such a match is refused. Odometry carries on, and is what
-  the floor of those drives consists of.
-- **What the text leaves open** changes its drift several times over: how errors over different numbers
-  of rays compare, whether each half of an alternation has to pay for itself, what is too big an error.
-  [algorithm.md](algorithm.md) says what was chosen and why.
-- **Sequential, keyframe, map.** A match every 0.8 m adds its error every 0.8 m. A keyframe that stays
-  for two metres adds fewer but larger ones, and comes out about even. A map whose keyframes are matched
-  against each other removes drift wherever the robot comes back, and in one room it always does.
-- **Ratios to the floor** scatter from drive to drive: both errors are random walks, driven by the same
-  noise only in part. Single drives below 1 are chance; below 1 on average a floor would be wrong.
+  that both scans share, and by the paper such a match is refused. The odometry then places the robot, and the
+  floor of those drives consists mostly of its error.
+- **What the text of the paper leaves open** changes the drift several times over: how errors over different
+  numbers of rays compare, whether the translation step has to lower the error on its own, which error is too big.
+  [derivations.md](derivations.md#the-papers-scheme) says what was chosen and why.
+- **Sequential, keyframe, map.** With sequential references an error is added every 0.8 m. A keyframe that stays
+  for two metres adds fewer but larger errors, and drifts about as much. A map whose keyframes are matched
+  against each other removes drift wherever the robot comes back.
+- **Ratios to the floor** scatter from drive to drive, because both errors are random walks that share only a part
+  of their noise. A single drive may be below 1 by chance; a mean below 1 would mean that the floor is wrong.
 - **Short range** (8 m): in room and curved a part of the scans sees one wall or a few round things. These
-  matches are flagged, and lean on odometry in the open direction.
+  matches are `Degenerate`, and the odometry decides along the open direction.
 
 )";
 
