@@ -38,6 +38,7 @@ struct PairsHeader
 
 /** Reads a file of scan pairs, plain or gzipped, one pair at a time.
  *
+ * \verbatim
  *     PSMPAIRS 1
  *     # comment
  *     laser <rays> <first bearing rad> <increment rad> <max range m>
@@ -45,6 +46,7 @@ struct PairsHeader
  *     pair <id> <x y phi: truth> <x y phi: odometry>     m, m, rad: p_ref = R(phi) p_cur + (x, y)
  *     <ranges of the reference scan, m, 0 = no return>
  *     <ranges of the current scan>
+ * \endverbatim
  *
  * Every member function throws PairsFileError if the file breaks this format. Pairs that were read
  * before the damage are valid. */
