@@ -31,7 +31,7 @@ int nearestCircle(const std::vector<Circle>& circles, const Eigen::Vector2d& pla
 }
 
 /** Compares two circles under the condition that their radii are equal, equation (4) of
- * docs/algorithm.md. The errors of a centre and of its radius are correlated, so that the
+ * docs/derivations.md. The errors of a centre and of its radius are correlated, so that the
  * difference of the radii tells part of the error of the centres.
  *  @param[out] pair the corrected centres with the information of their difference
  *  @return false where the radii differ or the corrected centres are farther apart than the gate */

@@ -18,7 +18,7 @@ struct PairedCircles
 
 /** Pairs the circles of two scans at a pose. Two circles are a pair if each is the nearest one to
  * the other, their radii agree, and their centres are within the gate once both are taken for one
- * circle of one radius, equation (4) of docs/algorithm.md.
+ * circle of one radius, equation (4) of docs/derivations.md.
  *
  * Differs from the paper: it pairs segments alone.
  *

@@ -199,9 +199,9 @@ class CircleFinder
     return fit.radius_m > kSmallest_m && fit.radius_m < kLargest_m;
   }
 
-  /** Computes the normal equations of a fit (docs/algorithm.md, circles). The residual of a ray is
-   * the distance of its end from the circle. Its derivatives by centre and radius are -(u, 1) with
-   * the outward normal u where the ray meets the circle. Its standard deviation is that of the
+  /** Computes the normal equations of a fit (docs/derivations.md, "Circles"). The residual of a ray
+   * is the distance of its end from the circle. Its derivatives by centre and radius are -(u, 1)
+   * with the outward normal u where the ray meets the circle. Its standard deviation is that of the
    * range times the cosine of incidence. */
   void linearise(int first, int last, Fit& fit) const
   {

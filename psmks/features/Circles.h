@@ -29,7 +29,7 @@ constexpr std::size_t kMostCircles = 64;
  *      scanner
  *
  * A short arc leaves the centre and the radius uncertain, but their errors are correlated: the side
- * that faces the scanner is known well. The covariance tells so (docs/algorithm.md, circles).
+ * that faces the scanner is known well. The covariance tells so (docs/derivations.md, "Circles").
  *
  * Differs from the paper: there such rays are single points, which are not matched.
  *

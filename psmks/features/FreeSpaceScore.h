@@ -36,7 +36,7 @@ struct RayCounts
 RayCounts countRays(const RayPoints& points, const PolarLookup& surface,
                     const Pose2& T_surface_points, float tolerance_m, int stride = 1);
 
-/** Share of the rays that a pose explains, 0 to 1 (docs/algorithm.md, free-space score):
+/** Share of the rays that a pose explains, 0 to 1 (docs/derivations.md, "Free-space score"):
  *
  *     s = on / (on + front + (behind + moved) / 2 + uncovered / 4) * min(1, seen / 0.4)
  *

@@ -9,7 +9,7 @@
 namespace psmks
 {
 /** Finds straight lines through too few rays for a segment, such as a distant wall that is seen
- * between two nearer objects (docs/algorithm.md, short lines).
+ * between two nearer objects (docs/derivations.md, "Short lines").
  *
  *       o----o----o         A short line is seen by 3 consecutive rays or more. It is longer than
  *         \  |  /           a leg or a pillar is wide, and the rays lie on it within their noise.

@@ -7,7 +7,7 @@ namespace psmks
 {
 /** A line written so that its two errors are independent: as the point of the line at which the
  * errors of distance and angle are uncorrelated (the anchor), and the normal there
- * (docs/algorithm.md, residuals of two lines). */
+ * (docs/derivations.md, "Residuals of two lines"). */
 struct AnchoredLine
 {
   Eigen::Vector2d normal;  //!< away from the scanner

@@ -8,7 +8,7 @@ namespace psmks
 /** An approximation of atan2(y, x) without branches, for finding the ray at a bearing. It is
  * several times faster than std::atan2 and off by at most 1.2e-5 rad. The odd polynomial is the
  * minimax fit of atan on [0, 1], found by least squares with weights that follow its own error
- * (docs/algorithm.md).
+ * (docs/derivations.md, "Fast bearings").
  *  @return the bearing in [-pi, pi]; 0 at (0, 0) */
 inline float fastBearing_rad(float y, float x)
 {

@@ -36,7 +36,7 @@ struct Line
    *  @param along_m of the point from the foot, positive on the counter-clockwise side */
   double distanceVariance_m2(double along_m) const;
 
-  /** The same line seen from another frame, with its covariance (docs/algorithm.md, C1).
+  /** The same line seen from another frame, with its covariance (docs/derivations.md, "Lines").
    *  @param T_to_from maps points of the present frame of the line into the new frame
    *  @param flipped if not null, set to whether the new frame sees the line from its other side */
   Line transformed(const Pose2& T_to_from, bool* flipped = nullptr) const;

@@ -18,7 +18,7 @@ struct Observability
 
 /** Finds the weak direction and its standard deviation from the smaller eigenvalue of the Schur
  * complement of the heading, and the standard deviation of the heading from the Schur complement of
- * the position (docs/algorithm.md, degeneracy).
+ * the position (docs/derivations.md, "Degeneracy").
  *  @param information symmetric and positive semi-definite, of (x, y, phi) in 1/m^2, 1/(m rad),
  *      1/rad^2 */
 Observability observability(const Eigen::Matrix3d& information);

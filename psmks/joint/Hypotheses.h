@@ -35,7 +35,8 @@ struct Hypothesis
  * Every pair of a current and a reference segment proposes the rotation that makes them parallel;
  * the angles of true pairs agree, whatever the translation. At a voted angle every parallel pair
  * fixes the translation across its line, n.t = d_ref - d_cur, and two pairs that are not parallel
- * fix all of it: the true translation collects many of these intersections (docs/algorithm.md). */
+ * fix all of it: the true translation collects many of these intersections (docs/derivations.md).
+ */
 class HypothesisSearch
 {
  public:

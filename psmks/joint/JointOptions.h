@@ -12,7 +12,7 @@ enum class JointSolver
   Ceres
 };
 
-/** The joint scheme (docs/algorithm.md): hypotheses where the guess may be far off, Gauss-Newton
+/** The joint scheme (docs/derivations.md): hypotheses where the guess may be far off, Gauss-Newton
  * over x, y and theta, acceptance by the free-space score. */
 struct JointOptions
 {

@@ -7,7 +7,7 @@
 
 namespace psmks
 {
-/** Matches two scans by the joint scheme (docs/algorithm.md):
+/** Matches two scans by the joint scheme (docs/derivations.md):
  *
  *  1. Refine the guess: associate lines and single rays, Gauss-Newton over x, y, theta, again with
  *     narrower gates.

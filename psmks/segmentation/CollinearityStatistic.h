@@ -12,7 +12,7 @@ namespace psmks
  * The collinearity statistic of three neighbouring rays.
  *
  * On a straight line the inverse range is linear in the direction of the ray, equation (1) of
- * docs/algorithm.md. Three neighbouring rays at the even spacing d therefore obey
+ * docs/derivations.md. Three neighbouring rays at the even spacing d therefore obey
  *
  *     1/r(i-1) - 2 cos(d) / r(i) + 1/r(i+1) = 0
  *

@@ -7,11 +7,11 @@
 namespace psmks
 {
 /** Kalman filter of a line over consecutive rays. Its state is u = n / r0 and its measurement the
- * inverse range, which is exactly linear in u: equation (1) of docs/algorithm.md. It needs neither
- * a start value nor a linearisation.
+ * inverse range, which is exactly linear in u: equation (1) of docs/derivations.md. It needs
+ * neither a start value nor a linearisation.
  *
  * Differs from the paper: the paper's filter is PolarLineFilter, whose covariance comes out too
- * small when it is started from a few rays (docs/algorithm.md, segmentation). */
+ * small when it is started from a few rays (docs/derivations.md, "Lines"). */
 class LinearLineFilter
 {
  public:

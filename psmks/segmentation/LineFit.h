@@ -53,7 +53,7 @@ struct LineStart
  *
  * One Gauss-Newton step is made. It is enough when the start comes from the linear filter, whose
  * line is off by less than its own standard deviation; the step removes the bias that comes from
- * weighting each ray by its measured range (docs/algorithm.md, segmentation).
+ * weighting each ray by its measured range (docs/derivations.md, "Lines").
  *  @return a fit whose `chi2` is 0 and whose line is the default one where the rays do not fix a
  * line */
 LineFit fitLine(const RaySoA& rays, const RayRange& range, const LineStart& start);

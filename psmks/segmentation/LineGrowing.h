@@ -33,7 +33,7 @@ class LineGrowing
   void grow();
 
   /** Moves the corner between each two touching lines to where the sum of both chi2 is smallest:
-   * the maximum-likelihood corner (docs/algorithm.md, segmentation). */
+   * the maximum-likelihood corner (docs/how-it-works.md). */
   void contestCorners();
 
   /** Merges touching lines whose common line raises chi2 by less than

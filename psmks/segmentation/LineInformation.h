@@ -19,7 +19,7 @@ struct MeasuredRay
 /** The Kalman filter of a line in information form.
  *
  * A ray of direction e = (cos b, sin b) that meets the line n.p = r0 has the inverse range 1/r =
- * u.e with u = n / r0, which is exactly linear in u: equation (1) of docs/algorithm.md. The
+ * u.e with u = n / r0, which is exactly linear in u: equation (1) of docs/derivations.md. The
  * variance of the inverse range is sigma^2 / r^4, so that the weight is w = r^4 / sigma^2. The sums
  * over a set of rays
  *

@@ -8,7 +8,7 @@
 namespace psmks
 {
 /** Range noise of a scan: the stated noise, raised to what the rays show where that is clearly more
- * (docs/algorithm.md, segmentation).
+ * (docs/derivations.md, "Range noise").
  *
  * If the stated noise does not grow with the range, and the far half of the rays is clearly noisier
  * than the near half, the result grows with the range.

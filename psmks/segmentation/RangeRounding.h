@@ -16,7 +16,7 @@ struct RangeRounding
   RangeNoise addedTo(RangeNoise noise) const;
 };
 
-/** Finds the step whose multiples the ranges of a scan are (docs/algorithm.md, rounded ranges).
+/** Finds the step whose multiples the ranges of a scan are (docs/derivations.md, "Range noise").
  *
  * The ranges are multiples either exactly, as a scanner with coarse units sends them, or beneath
  * noise that was added afterwards. The latter comes from MRPT's simulator, which marches along a

@@ -18,7 +18,7 @@ struct SegmentationBuffers
   std::vector<LineRun> runs;
 };
 
-/** Preprocessing and Kalman Segmentation of a scan (paper, section 2, step 1; docs/algorithm.md,
+/** Preprocessing and Kalman Segmentation of a scan (paper, section 2, step 1; docs/derivations.md,
  * segmentation).
  *
  * 1. cleanScan() and medianFilter() take out invalid rays.

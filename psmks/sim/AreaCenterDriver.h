@@ -16,7 +16,7 @@ struct AreaCenterOptions
 };
 
 /** Drives toward the centre of the free area that the scanner sees. This is the paper's roaming
- * driver, the Area Center method of Alvarez-Sanchez et al. 2010 (docs/algorithm.md, "Simulation").
+ * driver, the Area Center method of Alvarez-Sanchez et al. 2010 (docs/simulation.md).
  * The drive never ends by itself.
  *
  * If the path to the centre is not free, the area is split at the obstacle, and the robot drives to

@@ -5,10 +5,14 @@
 #include <tests/support/Says.h>
 #include <tests/support/ScratchFolder.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <map>
 #include <regex>
+#include <sstream>
 #include <vector>
 
 namespace psmks
@@ -55,6 +59,77 @@ std::string exampleCode(const std::string& name)
 {
   const std::string text = source("examples/" + name + ".cpp");
   return text.substr(std::min(text.size(), text.find("#include")));
+}
+
+/** The lines of a text without the spaces around them; empty ones are left out. */
+std::vector<std::string> trimmedLines(const std::string& text)
+{
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in >> std::ws, line);)
+    if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+/** Every page that people read. */
+std::vector<std::string> documents()
+{
+  std::vector<std::string> pages = {"README.md",        "CONTRIBUTING.md",   "CHANGELOG.md",
+                                    "config/README.md", "rawlogs/README.md", "examples/README.md"};
+  for (const auto& file : std::filesystem::directory_iterator(kSource + "/docs"))
+    if (file.path().extension() == ".md")
+      pages.push_back("docs/" + file.path().filename().string());
+  return pages;
+}
+
+/** One row of a table of docs/benchmarks.md, by the names of its columns. */
+using BenchmarkRow = std::map<std::string, std::string>;
+
+std::vector<std::string> cellsOf(const std::string& row)
+{
+  std::vector<std::string> cells;
+  const std::regex cell(R"(\|\s*([^|]*[^|\s])\s*(?=\|))");
+  for (std::sregex_iterator i(row.begin(), row.end(), cell), none; i != none; ++i)
+    cells.push_back((*i)[1]);
+  return cells;
+}
+
+/** The row that begins with these cells, in the first table below a heading, below a section; empty
+ * where there is none. */
+BenchmarkRow benchmarkRow(const std::string& section, const std::string& heading,
+                          const std::string& firstCells)
+{
+  const std::string text = source("docs/benchmarks.md");
+  const auto begin = text.find("\n### " + heading, text.find("\n## " + section + "\n"));
+  const auto end = text.find("\nMeasured on", begin);
+  if (begin == std::string::npos) return {};
+  std::vector<std::string> names;
+  for (const std::string& line : trimmedLines(text.substr(begin, end - begin)))
+    if (line.rfind("| matcher", 0) == 0)
+      names = cellsOf(line);
+    else if (line.rfind("| " + firstCells + " |", 0) == 0)
+    {
+      BenchmarkRow row;
+      const std::vector<std::string> cells = cellsOf(line);
+      for (std::size_t i = 0; i < std::min(names.size(), cells.size()); ++i)
+        row.emplace(names[i], cells[i]);
+      return row;
+    }
+  return {};
+}
+
+/** "29421" as people read it: "29,421". */
+std::string withComma(std::string number)
+{
+  if (number.size() > 3) number.insert(number.size() - 3, ",");
+  return number;
+}
+
+std::string rounded(const std::string& number, int decimals)
+{
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(decimals) << std::stod("0" + number);
+  return out.str();
 }
 
 /** The times of matches, which differ from run to run, replaced by a sign. */
@@ -150,9 +225,67 @@ TEST(SensorFiles, ThatAreMissingAreAnErrorOfUse)
   EXPECT_TRUE(test::says(run.errors, {"none.ini"}));
 }
 
-TEST(Readme, ShowsAnExample)
+/** Every line of the README's block of C++ stands in the example, in the same order. */
+TEST(Readme, ShowsLinesOfAnExample)
 {
-  EXPECT_EQ(cppBlock(source("README.md")), exampleCode("02_mrpt_observations"));
+  const std::vector<std::string> shown = trimmedLines(cppBlock(source("README.md")));
+  const std::vector<std::string> example = trimmedLines(exampleCode("02_mrpt_observations"));
+  EXPECT_EQ(shown.size(), 12U);
+  auto at = example.begin();
+  for (const std::string& line : shown)
+  {
+    at = std::find(at, example.end(), line);
+    ASSERT_NE(at, example.end()) << line;
+  }
+}
+
+TEST(Readme, HasAtMost900Words)
+{
+  std::istringstream text(source("README.md"));
+  EXPECT_LE(std::distance(std::istream_iterator<std::string>(text), {}), 900);
+}
+
+TEST(Readme, QuotesTheBenchmarksOfPairs)
+{
+  const std::string readme = source("README.md");
+  const std::string all = "all sets without moving objects";
+  for (const char* matcher : {"psmks", "icp-classic", "icp-classic-tuned"})
+  {
+    BenchmarkRow row = benchmarkRow("Harder pairs", all, std::string(matcher) + " | zero");
+    EXPECT_TRUE(test::says(readme, {"| " + row["success %"] + " % | " + row["t median mm"] +
+                                    " mm | " + row["wrong"] + " | " + row["/ icp-classic"] + " |"}))
+        << matcher;
+  }
+  EXPECT_TRUE(test::says(
+      readme, {"| " + benchmarkRow("Harder pairs", all, "bound | zero")["t median mm"] + " mm |"}));
+}
+
+TEST(Readme, QuotesTheBenchmarksOfLogs)
+{
+  const std::string readme = source("README.md");
+  for (const char* log : {"fr079", "intel"})
+  {
+    std::string cells = " |";
+    for (const char* reference : {"sequential", "keyframe", "map"})
+      cells += ' ' +
+               benchmarkRow("Real logs", log, std::string("psmks | ") + reference)["relations m"] +
+               " |";
+    EXPECT_TRUE(test::says(readme, {cells})) << log;
+  }
+  for (const char* matcher : {"psmks | map", "icp-classic | map", "guess | sequential"})
+    EXPECT_TRUE(test::says(readme, {withComma(benchmarkRow("Real logs", "2006-01ENE-21-SENA",
+                                                           matcher)["occupied cells"])}))
+        << matcher;
+}
+
+TEST(Readme, QuotesTheBenchmarksOfCovariances)
+{
+  const std::string readme = source("README.md");
+  BenchmarkRow simulated =
+      benchmarkRow("Scan pairs", "all sets without moving objects", "psmks | zero");
+  BenchmarkRow real = benchmarkRow("Steps of a real robot", "csail every 1:", "psmks | odometry");
+  EXPECT_TRUE(test::says(readme, {"(NEES) is " + rounded(simulated["NEES"], 1),
+                                  "NEES is " + rounded(real["NEES"], 0)}));
 }
 
 TEST(Readme, ShowsWhatTheExamplePrints)
@@ -177,9 +310,9 @@ TEST(Examples, AreShownWithWhatTheyPrint)
 
 /** Rows of its table of options, "| `section.key` | default | allowed | meaning |", stand in the
  * full list as "| `key` | ...". */
-TEST(Readme, ShowsOptionsAsTheyAre)
+TEST(ConfigReadme, ShowsOptionsAsTheyAre)
 {
-  const std::string readme = source("README.md"), options = source("docs/options.md");
+  const std::string readme = source("config/README.md"), options = source("docs/options.md");
   const std::regex row(R"(\n\| `([a-z]+)\.([a-z_]+)` (\|[^\n]*))");
   int rows = 0;
   for (std::sregex_iterator i(readme.begin(), readme.end(), row), none; i != none; ++i, ++rows)
@@ -190,17 +323,44 @@ TEST(Readme, ShowsOptionsAsTheyAre)
 
 TEST(Documents, LinkToWhatExists)
 {
-  const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
-  for (const char* document :
-       {"README.md", "CONTRIBUTING.md", "config/README.md", "rawlogs/README.md",
-        "examples/README.md", "docs/architecture.md", "docs/algorithm.md"})
+  const std::regex link(R"(\]\(([^)#:]+)(#([^)]*))?\))");
+  for (const std::string& document : documents())
   {
     const std::string text = source(document);
     ASSERT_FALSE(text.empty()) << document;
     const auto folder = std::filesystem::path(kSource + "/" + document).parent_path();
     for (std::sregex_iterator i(text.begin(), text.end(), link), none; i != none; ++i)
-      EXPECT_TRUE(std::filesystem::exists(folder / (*i)[1].str())) << document << ": " << (*i)[1];
+    {
+      const std::filesystem::path target = folder / (*i)[1].str();
+      EXPECT_TRUE(std::filesystem::exists(target)) << document << ": " << (*i)[1];
+      const std::string anchor = (*i)[3];
+      if (!anchor.empty())
+        EXPECT_TRUE(test::says(fileText(target), {"<a name=\"" + anchor + "\">"})) << document;
+    }
   }
+}
+
+TEST(Documents, SummariseTheirTables)
+{
+  const test::ScratchFolder folder;
+  for (const char* file : {"benchmarks.md", "experiments.md"})
+    std::filesystem::copy_file(kSource + "/docs/" + file, folder.path(file));
+  const ProgramRun run =
+      runProgram(quoted(kSource + "/scripts/update-summaries") + " " + quoted(folder.path()));
+  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  for (const char* file : {"benchmarks.md", "experiments.md"})
+    EXPECT_EQ(source(std::string("docs/") + file), fileText(folder.path(file)))
+        << "run scripts/update-summaries";
+}
+
+TEST(Documents, MakeASiteWithoutAWarning)
+{
+  if (runProgram("doxygen --version").exitCode != 0) GTEST_SKIP() << "doxygen is not installed";
+  const test::ScratchFolder folder;
+  const ProgramRun run =
+      runProgram(quoted(kSource + "/scripts/docs") + " " + quoted(folder.path("docs")));
+  EXPECT_EQ(run.exitCode, 0) << run.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder.path("docs/html/index.html")));
 }
 
 TEST(Documents, AgreeOnTheVersion)
