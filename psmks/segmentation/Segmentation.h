@@ -18,8 +18,8 @@ struct SegmentationBuffers
   std::vector<LineRun> runs;
 };
 
-/** Preprocessing and Kalman Segmentation of a scan (paper, section 2, step 1; docs/derivations.md,
- * segmentation).
+/** Preprocessing and Kalman Segmentation of a scan (paper, section 2, step 1;
+ * docs/how-it-works.md, "Lines").
  *
  * 1. cleanScan() and medianFilter() take out invalid rays.
  * 2. findRounding() and shownNoise() determine the noise of the ranges.
