@@ -1,6 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/geometry/Angle.h>
 #include <psmks/geometry/Observability.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 
@@ -55,5 +57,38 @@ Observability observability(const Eigen::Matrix3d& H)
   o.weakSigma_m = sigmaOf(smallerEigenvalue(schur, o.weakDirection));
   o.headingSigma_rad = sigmaOf(H(2, 2) - explainedByPosition(position, coupling));
   return o;
+}
+
+Observability observabilityAtHeading(const Eigen::Matrix3d& information)
+{
+  Eigen::Matrix3d position = Eigen::Matrix3d::Identity();
+  position.topLeftCorner<2, 2>() = information.topLeftCorner<2, 2>();
+  return observability(position);
+}
+
+Eigen::Vector2d positionPerHeading(const Eigen::Matrix3d& information)
+{
+  constexpr double kRounding = 1e-9;  // beside the larger eigenvalue this is no information
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> position(information.topLeftCorner<2, 2>());
+  Eigen::Vector2d perHeading = Eigen::Vector2d::Zero();
+  for (int i = 0; i < 2; ++i)
+  {
+    const double known = position.eigenvalues()[i];
+    if (!(known > kRounding * position.eigenvalues()[1])) continue;
+    const Eigen::Vector2d axis = position.eigenvectors().col(i);
+    perHeading -= axis * (axis.dot(information.topRightCorner<2, 1>()) / known);
+  }
+  return perHeading;
+}
+
+Pose2 turnedTo(double phi_rad, const Pose2& T_ref_cur, const Eigen::Matrix3d& information)
+{
+  // A turn about the pivot moves the position by J (t - pivot) per radian, J a quarter turn.
+  const Eigen::Vector2d perHeading = positionPerHeading(information);
+  const Eigen::Vector2d fromPivot_m(perHeading.y(), -perHeading.x());
+  const Eigen::Vector2d pivot_m = T_ref_cur.translation() - fromPivot_m;
+  const Pose2 turn{0, 0, wrapAngle(phi_rad - T_ref_cur.phi_rad)};
+  const Eigen::Vector2d t_m = pivot_m + turn.rotation() * fromPivot_m;
+  return {t_m.x(), t_m.y(), phi_rad};
 }
 }  // namespace psmks

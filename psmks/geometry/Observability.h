@@ -1,6 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/geometry/Pose2.h>
+
 #include <Eigen/Core>
 
 namespace psmks
@@ -22,4 +24,17 @@ struct Observability
  *  @param information symmetric and positive semi-definite, of (x, y, phi) in 1/m^2, 1/(m rad),
  *      1/rad^2 */
 Observability observability(const Eigen::Matrix3d& information);
+
+/** What an information matrix fixes of the position at a given heading. Its heading part means
+ * nothing. */
+Observability observabilityAtHeading(const Eigen::Matrix3d& information);
+
+/** How the position that suits a heading best moves with it, in m/rad: -H_tt^-1 H_tphi. Zero along
+ * a direction in which H_tt fixes no position. */
+Eigen::Vector2d positionPerHeading(const Eigen::Matrix3d& information);
+
+/** A pose turned to a heading as the scans leave it open: about the point of the reference frame
+ * about which a turn changes least of what they fix, so that positionPerHeading() is its
+ * derivative. */
+Pose2 turnedTo(double phi_rad, const Pose2& T_ref_cur, const Eigen::Matrix3d& information);
 }  // namespace psmks

@@ -1,6 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/geometry/UncertainPose.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
 namespace psmks
 {
 UncertainPose composed(const UncertainPose& T_a_b, const UncertainPose& T_b_c)
@@ -26,6 +29,16 @@ UncertainPose seenFrom(const UncertainPose& T_a_b, const UncertainPose& T_a_c)
   J_bc_ac.topLeftCorner<2, 2>() = R_b_a;
   return {T_b_c, J_bc_ab * T_a_b.covariance * J_bc_ab.transpose() +
                      J_bc_ac * T_a_c.covariance * J_bc_ac.transpose()};
+}
+
+Eigen::Matrix3d fusedCovariance(const Eigen::Matrix3d& guess, const Eigen::Matrix3d& information)
+{
+  // With guess = L L' it is L (I + L' information L)^-1 L'.
+  const Eigen::Matrix3d L = guess.llt().matrixL();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(L.transpose() * information * L);
+  const Eigen::Matrix3d LV = L * axes.eigenvectors();
+  const Eigen::Vector3d left = (1 + axes.eigenvalues().array().max(0)).inverse();
+  return LV * left.asDiagonal() * LV.transpose();
 }
 
 UncertainPose conjugated(const UncertainPose& T_ref_cur, const Pose2& T_newRef_ref,

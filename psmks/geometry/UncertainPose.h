@@ -24,6 +24,13 @@ UncertainPose composed(const UncertainPose& T_a_b, const UncertainPose& T_b_c);
  * taken for independent. */
 UncertainPose seenFrom(const UncertainPose& T_a_b, const UncertainPose& T_a_c);
 
+/** Covariance of the best estimate of a pose from a guess and from independent scans,
+ * (guess^-1 + information)^-1; positive definite also where the scans say nothing of a direction
+ * and the guess next to nothing.
+ *  @param guess positive definite
+ *  @param information of the scans, positive semidefinite */
+Eigen::Matrix3d fusedCovariance(const Eigen::Matrix3d& guess, const Eigen::Matrix3d& information);
+
 /** The same motion between other frames that are fixed to the old ones: `T_newRef_newCur =
  * T_newRef_ref * T_ref_cur * T_newCur_cur^-1`, with its covariance to first order. The two fixed
  * transformations count as exact.

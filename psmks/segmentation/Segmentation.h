@@ -19,7 +19,7 @@ struct SegmentationBuffers
 };
 
 /** Preprocessing and Kalman Segmentation of a scan (paper, section 2, step 1;
- * docs/how-it-works.md, "Lines").
+ * docs/how-it-works.md, "Find the lines").
  *
  * 1. cleanScan() and medianFilter() take out invalid rays.
  * 2. findRounding() and shownNoise() determine the noise of the ranges.

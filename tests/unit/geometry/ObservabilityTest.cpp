@@ -90,4 +90,31 @@ TEST(Observability, NothingIsKnownWithoutInformation)
   EXPECT_TRUE(std::isinf(o.headingSigma_rad));
   EXPECT_NEAR(o.weakDirection.norm(), 1, 1e-12);
 }
+
+// One landmark, at p in the reference frame and at q in the current one: whatever the heading, the
+// position that suits it puts q on p.
+TEST(Observability, ATurnToAnotherHeadingKeepsWhatTheScansFix)
+{
+  const Eigen::Vector2d q_m(2, 1);
+  const Pose2 T_ref_cur{0.3, -0.2, 0.4};
+  const Eigen::Vector2d p_m = T_ref_cur.rotation() * q_m + T_ref_cur.translation();
+  Eigen::Matrix<double, 2, 3> J;
+  J << Eigen::Matrix2d::Identity(), T_ref_cur.rotationDerivative() * q_m;
+  const Eigen::Matrix3d H = 1e4 * J.transpose() * J;
+  EXPECT_LT((positionPerHeading(H) + J.col(2)).norm(), 1e-12);
+  for (const double phi_rad : {-2., 0., 0.4, 3.})
+  {
+    const Pose2 turned = turnedTo(phi_rad, T_ref_cur, H);
+    EXPECT_EQ(turned.phi_rad, phi_rad);
+    EXPECT_LT((turned.rotation() * q_m + turned.translation() - p_m).norm(), 1e-9) << phi_rad;
+  }
+}
+
+TEST(Observability, AtAHeadingTwoWallsFixThePositionAndOneDoesNot)
+{
+  Eigen::Matrix3d H = Eigen::Vector3d(1e4, 1e4, 0).asDiagonal();
+  EXPECT_NEAR(observabilityAtHeading(H).weakSigma_m, 0.01, 1e-9);
+  H(1, 1) = 0;
+  EXPECT_TRUE(std::isinf(observabilityAtHeading(H).weakSigma_m));
+}
 }  // namespace psmks

@@ -4,6 +4,8 @@
 #include <tests/support/PoseMatcher.h>
 #include <tests/unit/geometry/UncertainMotion.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <functional>
 
 namespace psmks::test
@@ -69,5 +71,30 @@ TEST(UncertainPose, ConjugatedIsUndoneByTheInverseMountings)
       conjugated(conjugated(motion, kRef, kCur), kRef.inverse(), kCur.inverse());
   EXPECT_TRUE(isNearly(back.pose, motion.pose, 1e-12, 1e-12));
   EXPECT_LT((back.covariance - motion.covariance).norm(), 1e-15);
+}
+
+TEST(FusedCovariance, IsTheInverseOfTheSumOfInformation)
+{
+  const Eigen::Matrix3d guess = Eigen::Vector3d(0.04, 0.01, 0.0025).asDiagonal();
+  Eigen::Matrix3d information;
+  information << 900, 30, -20, 30, 400, 50, -20, 50, 2500;
+  const Eigen::Matrix3d expected = (guess.inverse() + information).inverse();
+  EXPECT_TRUE(fusedCovariance(guess, information).isApprox(expected, 1e-12));
+}
+
+// A corridor along 30 degrees, and a guess that knows next to nothing: what rounding leaves of the
+// information along it is more than the guess has.
+TEST(FusedCovariance, IsPositiveDefiniteAlsoForAVagueGuess)
+{
+  const Eigen::Vector3d across(-0.5, std::sqrt(0.75), 0.3);
+  const Eigen::Matrix3d information =
+      1e7 * across * across.transpose() + Eigen::Vector3d(0, 0, 1e6).asDiagonal().toDenseMatrix();
+  for (const double variance : {1., 1e6, 1e12, 1e18})
+  {
+    const Eigen::Matrix3d fused =
+        fusedCovariance(variance * Eigen::Matrix3d::Identity(), information);
+    EXPECT_EQ(fused.llt().info(), Eigen::Success) << variance;
+    EXPECT_TRUE(fused.allFinite()) << variance;
+  }
 }
 }  // namespace psmks::test
