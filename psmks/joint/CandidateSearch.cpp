@@ -15,8 +15,6 @@ Pose2 moved(const Pose2& T, const Eigen::Vector2d& by_m)
 }
 }  // namespace
 
-/** A start that explained more before was drawn to lines that are not its own - the other face of a
- * thin wall: once more with narrower gates. */
 void CandidateSearch::refineAndKeep(const Pose2& start)
 {
   constexpr double kNarrow = 0.5;
@@ -31,7 +29,7 @@ void CandidateSearch::refineAndKeep(const Pose2& start)
     keepIfBest(refinement_.refine(start, kNarrow));
 }
 
-/** The pose turned to where the pair of lines that knows the heading best wants it. */
+/** The pose turned so that no angle is left between the two lines that know the heading best. */
 Pose2 CandidateSearch::rotatedToBestLinePair(const RefinedPose& candidate)
 {
   Pose2 T = candidate.T_ref_cur;
@@ -44,8 +42,8 @@ void CandidateSearch::keepIfBest(const RefinedPose& candidate)
   mostAssociations_ = std::max(mostAssociations_, candidate.associations);
   if (candidate.associations < match_.options.minAssociations) return;
   if (match_.trace)
-    match_.trace->steps.push_back(
-        {"gauss-newton", candidate.T_ref_cur, candidate.score, candidate.associations, 0});
+    match_.trace->steps.push_back({"refinement", candidate.T_ref_cur, std::nullopt, candidate.score,
+                                   candidate.associations, 0});
   match_.buffers.refinedPoses.push_back(candidate);
   if (best_.score > 0 && verifier_.rankingScore(candidate) <= verifier_.rankingScore(best_)) return;
   best_ = candidate;
@@ -60,14 +58,14 @@ void CandidateSearch::searchFurther()
     match_.buffers.hypotheses.push_back({match_.guess.T_ref_cur, 0, 0});
   considerMostPromising(options.refinedHypotheses);
   constexpr double kEnough = 0.25;  // of the rays in common for single ones to tell a place
-  if (!match_.guessPrior && !verifier_.isConvincing(best_) && match_.pairsMoreThan(kEnough, best_))
+  if (!match_.prior() && !verifier_.isConvincing(best_) && match_.pairsMoreThan(kEnough, best_))
     searchAlongWeakDirections();
 }
 
 void CandidateSearch::reserve()
 {
   const JointOptions& o = match_.options;
-  const double radius_m = match_.guessPrior ? o.searchRadius_m : o.wideRadius_m;
+  const double radius_m = match_.prior() ? o.searchRadius_m : o.wideRadius_m;
   match_.buffers.correlativeSearch.reserve(radius_m, std::max(o.searchAngle_rad, o.wideAngle_rad));
   match_.buffers.hypotheses.reserve(mostPlacesAlong(std::max(o.searchRadius_m, o.wideRadius_m)));
 }
@@ -76,24 +74,24 @@ void CandidateSearch::searchWide()
 {
   constexpr double kMoreFarOff = 0.1;  // of the rays than an acceptable pose near the guess
   const RefinedPose nearGuess = best_;
-  tryGrid(match_.guessPrior ? withinGuess() : farFromGuess());
+  tryGrid(match_.prior() ? withinGuess() : farFromGuess());
   if (verifier_.isAcceptable(nearGuess) && best_.score < nearGuess.score + kMoreFarOff)
     best_ = nearGuess;
-  if (match_.guessPrior && !verifier_.isAcceptable(best_)) searchDespiteGuess();
+  if (match_.prior() && !verifier_.isAcceptable(best_)) searchDespiteGuess();
 }
 
-/** The wheels may have slipped: the guess then is no measurement of this motion. */
+/** Where wheels have slipped, the guess is no measurement of the motion: it is given up for a pose
+ * that is beyond doubt without it. */
 void CandidateSearch::searchDespiteGuess()
 {
   const RefinedPose nearGuess = best_;
   const int mostNearGuess = mostAssociations_;
-  const std::optional<PriorTerm> measured = match_.guessPrior;
-  match_.guessPrior.reset();
+  match_.result.guessGivenUp = true;
   tryGrid(turnedFromGuess());
   if (verifier_.isBeyondDoubt(best_)) return;
   best_ = nearGuess;
   mostAssociations_ = mostNearGuess;
-  match_.guessPrior = measured;
+  match_.result.guessGivenUp = false;
 }
 
 void CandidateSearch::tryGrid(const SearchWindow& effort)
@@ -106,7 +104,8 @@ void CandidateSearch::tryGrid(const SearchWindow& effort)
   considerMostPromising(effort.times * match_.options.refinedHypotheses);
 }
 
-/** All that a measured guess leaves open. */
+/** The search window of a guess with a covariance: three standard deviations, at most what is
+ * searched for votes. */
 CandidateSearch::SearchWindow CandidateSearch::withinGuess() const
 {
   constexpr double kSigmas = 3;
@@ -123,7 +122,8 @@ CandidateSearch::SearchWindow CandidateSearch::farFromGuess() const
   return exhaustiveWindow(match_.options.wideRadius_m);
 }
 
-/** Wheels that slip turn the guess far more than they move it. */
+/** The window for a guess that is given up: wheels that slip turn a guess far more than they move
+ * it. */
 CandidateSearch::SearchWindow CandidateSearch::turnedFromGuess() const
 {
   return exhaustiveWindow(match_.options.searchRadius_m);
@@ -136,7 +136,7 @@ CandidateSearch::SearchWindow CandidateSearch::exhaustiveWindow(double radius_m)
   return {{radius_m, match_.options.wideAngle_rad, kFollowed}, kTimes};
 }
 
-/** What segment angles and line intersections vote for. */
+/** Appends the poses that segment angles and line intersections vote for to the hypotheses. */
 void CandidateSearch::propose(const SearchLimits& limits)
 {
   Stopwatch watch;
@@ -146,7 +146,8 @@ void CandidateSearch::propose(const SearchLimits& limits)
   match_.result.times.search_s += watch.lap_s();
 }
 
-/** Of the hypotheses, until a pose is convincing. */
+/** Refines the hypotheses in descending order of their scores until a pose is convincing.
+ *  @param most hypotheses that are refined */
 void CandidateSearch::considerMostPromising(int most)
 {
   constexpr double kHopeless =
@@ -165,14 +166,12 @@ void CandidateSearch::considerMostPromising(int most)
   }
 }
 
-/** Along the direction that is known worst, then along the walls if these run otherwise; far where
- * the pose may be far off.
+/** Refines the best places along the direction in which the position is known worst, then along the
+ * walls if these run otherwise.
  *
- * Along a wall with little else to see, lines leave open where a pose is, and wrong pairs may
- * hold it anywhere. Single rays then know better: the places along the direction that is known
- * worst are scored, and those that explain more than the best pose so far, or about as much, are
- * refined. Where the guess was measured, it tells the place along the wall; and scans that have
- * little in common may fit anywhere by chance. */
+ * Along a wall with little else to see, lines leave the position open, and wrong pairs may hold a
+ * pose anywhere. Single rays then know better, so that places are scored by rays. A guess with a
+ * covariance tells the place along the wall itself, and is not searched along. */
 void CandidateSearch::searchAlongWeakDirections()
 {
   constexpr double kSame = 0.985;  // cosine of 10 degrees
@@ -218,7 +217,8 @@ AlongLimits CandidateSearch::nearAlong() const
   return {match_.options.searchRadius_m, kNoTurn_rad, kMost, kMissedPromise};
 }
 
-/** Far along, what a start promises says less: more of them are refined. */
+/** Far from the guess, the score of a start says less about its refined pose: more of them are
+ * refined. */
 AlongLimits CandidateSearch::farAlong() const
 {
   constexpr std::size_t kMost = 8;

@@ -7,8 +7,8 @@
 
 namespace psmks
 {
-/** Refines starts, one after the other, and keeps the best pose that comes of them. All that were
- * associated well enough are left in JointBuffers::refinedPoses. */
+/** Proposes starts, refines them one after the other, and keeps the refined pose with the highest
+ * ranking score. All that were associated well enough are left in JointBuffers::refinedPoses. */
 class CandidateSearch
 {
  public:
@@ -20,38 +20,47 @@ class CandidateSearch
   {
   }
 
-  /** Takes the memory of the widest search for a guess of this kind, so that none takes more. */
+  /** Reserves the memory of the widest search for a guess of this kind, so that no search of this
+   * match allocates. */
   void reserve();
 
-  /** Refines a start and keeps what comes of it if it is the best so far. */
+  /** Refines a start and keeps the refined pose if it is the best so far. A start that explained
+   * more rays than its refined pose was drawn to lines that are not its own, such as the other face
+   * of a thin wall: it is refined once more with narrower gates. */
   void refineAndKeep(const Pose2& start);
 
-  /** Considers what segment angles and line intersections vote for, most promising first, until a
-   * pose is convincing. */
+  /** Refines the poses that segment angles and line intersections vote for, and places along walls,
+   * in descending order of their scores, until a pose is convincing (PoseVerifier). */
   void searchFurther();
 
-  /** Considers poses of a grid, where lines vote for nothing: as far about a guess that nobody
-   * measured as the options say, else as far as it may be off, and where that leaves nothing
-   * acceptable, as if nobody had measured. One of them has to explain many more rays than an
-   * acceptable pose that was found before, or be beyond doubt where it was found despite the guess:
-   * rooms look alike from many sides. */
+  /** Refines the best poses of a grid (CorrelativeSearch). About a guess without a covariance the
+   * grid covers `wide_radius_m` and `wide_angle_deg`; about one with a covariance three standard
+   * deviations. Such a pose replaces an acceptable one that was found before only where it explains
+   * a tenth more of the rays, for rooms look alike from many sides.
+   *
+   * Where a guess with a covariance leaves no acceptable pose it is given up: the grid covers
+   * `search_radius_m` and `wide_angle_deg`, and a pose that is beyond doubt (PoseVerifier) is kept.
+   * MatchResult::guessGivenUp says so, and from then on the match goes on as without a covariance.
+   */
   void searchWide();
 
-  /** Considers starts beside the best pose and at other good places along the same walls: they come
-   * back, or they are rivals. */
+  /** Refines starts 20 cm beside the best pose, to either side along the direction that is known
+   * worst, and at other promising places along it. They end at the best pose again, or they are
+   * alternatives that JointConclusion finds among the refined poses. */
   void probeAlternatives();
 
-  /** Its score is -1 where no start was associated well enough. */
+  /** The refined pose with the highest ranking score; its own score is -1 where no start was
+   * associated well enough. */
   const RefinedPose& best() const { return best_; }
 
-  /** Associated rays of the start that had most of them. */
+  /** Associated rays of the refined pose that had most of them. */
   int mostAssociations() const { return mostAssociations_; }
 
  private:
   struct SearchWindow
   {
     CorrelativeLimits limits;
-    int times;  //!< as many starts as near the guess
+    int times;  //!< how many times `refined_hypotheses` starts are refined at most
   };
 
   void keepIfBest(const RefinedPose& candidate);

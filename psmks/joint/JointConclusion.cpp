@@ -1,12 +1,21 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
+#include <psmks/joint/DistinctOptima.h>
 #include <psmks/joint/JointConclusion.h>
+#include <psmks/joint/OpenDirections.h>
 
-#include <Eigen/LU>
 #include <cmath>
 
 namespace psmks
 {
+namespace
+{
+Eigen::Vector3d difference(const Pose2& a, const Pose2& b)
+{
+  return {b.x_m - a.x_m, b.y_m - a.y_m, wrapAngle(b.phi_rad - a.phi_rad)};
+}
+}  // namespace
+
 void JointConclusion::conclude(int mostAssociations)
 {
   const JointOptions& options = match_.options;
@@ -29,67 +38,32 @@ void JointConclusion::accept()
 {
   Stopwatch watch;
   result_.status = best_.converged ? MatchStatus::Converged : MatchStatus::MaxIterations;
-  result_.T_ref_cur = best_.T_ref_cur;
-  result_.errorAfter = 1 - best_.score;
-  settleUnobservable();
-  const Eigen::Matrix3d prior = match_.guessPrior
-                                    ? match_.guessPrior->information
-                                    : MatchResult::unknownCovariance().inverse().eval();
-  result_.covariance = (best_.information + prior).inverse();
-  addAmbiguity();
-  if (verifier_.hasFewStraightLines(best_) && isHeadingOpen()) markHeadingUnobservable(prior(2, 2));
+  accepted_ = best_;
+  result_.T_ref_cur = accepted_.T_ref_cur;
+  scans_ = accepted_.scans;
+  settleHeading();
+  settleDirection();
+  settleCovariance();
+  settleAmbiguity();
+  if (match_.guess.covariance)
+    result_.innovation = innovation({match_.guess.T_ref_cur, *match_.guess.covariance},
+                                    accepted_.T_ref_cur, scans_.H, scans_.g);
   result_.times.scoring_s += watch.lap_s();
 }
 
-/** What the scans do not fix is flagged, and where it is wide open put back to the guess. */
-void JointConclusion::settleUnobservable()
+/** An unobservable heading is that of the guess. Where the scans do not admit that heading, another
+ * one that they admit makes the pose ambiguous. */
+void JointConclusion::settleHeading()
 {
-  const Observability& o = best_.observability;
-  if (o.weakSigma_m > match_.weakDirectionSigma_m())
-    settleDirection(o.weakDirection, o.weakSigma_m);
-  if (o.headingSigma_rad > match_.options.weakHeadingSigma_rad)
-  {
-    result_.status = MatchStatus::Degenerate;
-    result_.headingUnobservable = true;
-    result_.T_ref_cur.phi_rad = match_.guess.T_ref_cur.phi_rad;
-  }
-}
-
-void JointConclusion::settleDirection(const Eigen::Vector2d& weakDirection, double weakSigma_m)
-{
-  constexpr double kWideOpen_m = 0.05, kWideOpenWithPrior_m = 0.03;
-  result_.status = MatchStatus::Degenerate;
-  result_.unobservableDirection = weakDirection;
-  if (weakSigma_m <= (match_.guessPrior ? kWideOpenWithPrior_m : kWideOpen_m)) return;
-  const double moved_m =
-      weakDirection.dot(result_.T_ref_cur.translation() - match_.guess.T_ref_cur.translation());
-  result_.T_ref_cur.x_m -= moved_m * weakDirection.x();
-  result_.T_ref_cur.y_m -= moved_m * weakDirection.y();
-}
-
-/** Where another pose along the same walls explains as much, the position between both is open. */
-void JointConclusion::addAmbiguity()
-{
-  for (const RefinedPose& other : match_.buffers.refinedPoses)
-  {
-    if (!isAmbiguousWith(other)) continue;
-    const Eigen::Vector2d between_m = other.T_ref_cur.translation() - best_.T_ref_cur.translation();
-    result_.status = MatchStatus::Degenerate;
-    result_.unobservableDirection = between_m.normalized();
-    result_.covariance.topLeftCorner<2, 2>() += between_m * between_m.transpose();
-  }
-}
-
-bool JointConclusion::isAmbiguousWith(const RefinedPose& other) const
-{
-  constexpr double kSameHeading_rad = degToRad(2), kElsewhere_m = 0.1;
-  constexpr double kNearTie = 0.05, kNearTieUnheld = 0.2;
-  const Pose2 apart = best_.T_ref_cur.inverse() * other.T_ref_cur;
-  const bool isElsewhere =
-      apart.translation().norm() > kElsewhere_m && std::abs(apart.phi_rad) < kSameHeading_rad;
-  const double tie = verifier_.isHeldByLines(best_) ? kNearTie : kNearTieUnheld;
-  return isElsewhere && other.score >= best_.score - tie &&
-         !verifier_.contradictsGuess(other.T_ref_cur);
+  const bool isWeak =
+      accepted_.observability.headingSigma_rad > match_.options.weakHeadingSigma_rad;
+  if (!isWeak && !(verifier_.hasFewStraightLines(accepted_) && isHeadingOpen())) return;
+  const double guess_rad = match_.guess.T_ref_cur.phi_rad;
+  const RefinedPose atGuess =
+      refinement_.refine(turnedTo(guess_rad, accepted_.T_ref_cur, accepted_.scans.H));
+  const bool isAdmitted = explainsAsMuch(atGuess);
+  if (isAdmitted) accepted_ = atGuess;
+  if (isAdmitted || isWeak) takeHeadingOfGuess();
 }
 
 /** Puts the heading to the test: whether a start turned away, to either side, stays away and
@@ -98,7 +72,7 @@ bool JointConclusion::isHeadingOpen()
 {
   constexpr double kTurn_rad = degToRad(5);
   return convergesElsewhere(kTurn_rad) ||
-         (!verifier_.agreesWithGuess(best_.T_ref_cur) && convergesElsewhere(-kTurn_rad));
+         (!verifier_.agreesWithGuess(best_) && convergesElsewhere(-kTurn_rad));
 }
 
 bool JointConclusion::convergesElsewhere(double turn_rad)
@@ -107,7 +81,10 @@ bool JointConclusion::convergesElsewhere(double turn_rad)
   turned.phi_rad = wrapAngle(turned.phi_rad + turn_rad);
   const RefinedPose other = refinement_.refine(turned);
   const double apart_rad = wrapAngle(other.T_ref_cur.phi_rad - best_.T_ref_cur.phi_rad);
-  return explainsAsMuch(other) && std::abs(apart_rad) > match_.options.weakHeadingSigma_rad;
+  const bool isElsewhere =
+      explainsAsMuch(other) && std::abs(apart_rad) > match_.options.weakHeadingSigma_rad;
+  if (isElsewhere) turned_ = other;
+  return isElsewhere;
 }
 
 bool JointConclusion::explainsAsMuch(const RefinedPose& other) const
@@ -116,20 +93,97 @@ bool JointConclusion::explainsAsMuch(const RefinedPose& other) const
   return other.score > best_.score - kSameScore;
 }
 
-/** The guess's heading, the position that goes with it, and its uncertainty. Where the scans are
- * not explained as well at that heading - it is open about the pose, but not as far as the guess -
- * the pose stays.
- *  @param priorInformation of the heading, 1/rad^2 */
-void JointConclusion::markHeadingUnobservable(double priorInformation)
+void JointConclusion::takeHeadingOfGuess()
 {
   result_.status = MatchStatus::Degenerate;
   result_.headingUnobservable = true;
-  result_.covariance(2, 2) += 1 / priorInformation;
-  Pose2 atGuess = best_.T_ref_cur;
-  atGuess.phi_rad = match_.guess.T_ref_cur.phi_rad;
-  const RefinedPose other = refinement_.refine(atGuess);
-  if (!explainsAsMuch(other)) return;
-  result_.T_ref_cur = other.T_ref_cur;
-  result_.T_ref_cur.phi_rad = match_.guess.T_ref_cur.phi_rad;
+  turned_.reset();
+  scans_ = withoutHeading(accepted_.scans);
+  result_.T_ref_cur =
+      turnedTo(match_.guess.T_ref_cur.phi_rad, accepted_.T_ref_cur, accepted_.scans.H);
+}
+
+/** A direction in which the position is known badly is flagged; in which it is hardly known, the
+ * position is that of the guess. */
+void JointConclusion::settleDirection()
+{
+  const Observability o =
+      result_.headingUnobservable ? observabilityAtHeading(scans_.H) : accepted_.observability;
+  if (o.weakSigma_m <= match_.weakDirectionSigma_m()) return;
+  result_.status = MatchStatus::Degenerate;
+  if (o.weakSigma_m > match_.unobservableSigma_m())
+    takePositionOfGuess(o.weakDirection);
+  else
+    result_.weakDirection = o.weakDirection;
+}
+
+void JointConclusion::takePositionOfGuess(const Eigen::Vector2d& direction)
+{
+  result_.unobservableDirection = direction;
+  scans_ = withoutDirection(scans_, direction);
+  const double moved_m =
+      direction.dot(result_.T_ref_cur.translation() - match_.guess.T_ref_cur.translation());
+  result_.T_ref_cur.x_m -= moved_m * direction.x();
+  result_.T_ref_cur.y_m -= moved_m * direction.y();
+}
+
+/** The scans and the guess fused; of what is taken from the guess the variance is the guess's. */
+void JointConclusion::settleCovariance()
+{
+  const Eigen::Matrix3d guess = match_.guessCovariance();
+  result_.covariance = fusedCovariance(guess, scans_.H);
+  if (result_.headingUnobservable)
+  {
+    Eigen::Vector3d turn;
+    turn << positionPerHeading(scans_.H), 1;
+    widen(turn, guess(2, 2) - result_.covariance(2, 2));
+  }
+  const Eigen::Vector2d u = openDirection();
+  widen({u.x(), u.y(), 0}, u.dot((guess - result_.covariance).topLeftCorner<2, 2>() * u));
+}
+
+/** Adds an independent error along a direction of (x, y, phi). */
+void JointConclusion::widen(const Eigen::Vector3d& direction, double variance)
+{
+  if (variance > 0) result_.covariance += variance * direction * direction.transpose();
+}
+
+/** Each distinct optimum that explains the scans as well is covered by one standard deviation. */
+void JointConclusion::settleAmbiguity()
+{
+  std::vector<RefinedPose>& alternatives = match_.buffers.alternatives;
+  alternatives.clear();
+  for (const RefinedPose& other : match_.buffers.refinedPoses)
+    if (isAmbiguousWith(other)) alternatives.push_back(other);
+  if (turned_) alternatives.push_back(*turned_);
+  keepDistinctOptima(alternatives, openDirection());
+  if (alternatives.empty()) return;
+  result_.status = MatchStatus::Degenerate;
+  result_.ambiguity = Ambiguity{static_cast<int>(alternatives.size()), alternatives[0].T_ref_cur};
+  for (const RefinedPose& other : alternatives)
+  {
+    Eigen::Vector3d apart = difference(result_.T_ref_cur, other.T_ref_cur);
+    apart.head<2>() -= openDirection().dot(apart.head<2>()) * openDirection();
+    widen(apart, 1);
+  }
+}
+
+/** Whether another pose of the same heading explains as much, elsewhere than along a direction in
+ * which the position is open anyway. */
+bool JointConclusion::isAmbiguousWith(const RefinedPose& other) const
+{
+  constexpr double kSameHeading_rad = degToRad(2);
+  constexpr double kNearTie = 0.05, kNearTieUnheld = 0.2;
+  const double turned_rad = wrapAngle(other.T_ref_cur.phi_rad - accepted_.T_ref_cur.phi_rad);
+  const double tie = verifier_.isHeldByLines(accepted_) ? kNearTie : kNearTieUnheld;
+  return std::abs(turned_rad) < kSameHeading_rad &&
+         !isSameOptimum(accepted_.T_ref_cur, other.T_ref_cur, openDirection()) &&
+         other.score >= accepted_.score - tie && !verifier_.contradictsGuess(other);
+}
+
+/** Along which the position is that of the guess; zero where there is no such direction. */
+Eigen::Vector2d JointConclusion::openDirection() const
+{
+  return result_.unobservableDirection.value_or(Eigen::Vector2d::Zero());
 }
 }  // namespace psmks

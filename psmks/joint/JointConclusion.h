@@ -6,8 +6,9 @@
 
 namespace psmks
 {
-/** What the best pose of a joint match is worth: accepts it or fails, finds out what it leaves
- * open, puts that back to the guess, and tells how well the rest is known. */
+/** Accepts or refuses the best pose of a joint match and completes the result: which directions the
+ * scans leave open and take from the guess, which other poses explain them as well, how well the
+ * pose is known, and whether the scans contradict the guess. MatchResult states the rules. */
 class JointConclusion
 {
  public:
@@ -28,19 +29,26 @@ class JointConclusion
 
  private:
   void accept();
-  void settleUnobservable();
-  void settleDirection(const Eigen::Vector2d& weakDirection, double weakSigma_m);
-  void addAmbiguity();
-  bool isAmbiguousWith(const RefinedPose& other) const;
+  void settleHeading();
   bool isHeadingOpen();
   bool convergesElsewhere(double turn_rad);
   bool explainsAsMuch(const RefinedPose& other) const;
-  void markHeadingUnobservable(double priorInformation);
+  void takeHeadingOfGuess();
+  void settleDirection();
+  void takePositionOfGuess(const Eigen::Vector2d& direction);
+  void settleCovariance();
+  void widen(const Eigen::Vector3d& direction, double variance);
+  void settleAmbiguity();
+  bool isAmbiguousWith(const RefinedPose& other) const;
+  Eigen::Vector2d openDirection() const;
 
   JointMatch& match_;
   const PoseVerifier& verifier_;
   Refinement& refinement_;
   const RefinedPose& best_;
   MatchResult& result_;
+  RefinedPose accepted_;   //!< the best pose, or the one at the guess's heading in its place
+  NormalEquations scans_;  //!< of the accepted pose, without what is taken from the guess
+  std::optional<RefinedPose> turned_;  //!< another heading that explains the scans as well
 };
 }  // namespace psmks

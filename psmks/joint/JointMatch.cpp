@@ -22,6 +22,6 @@ JointMatch::JointMatch(const Guess& guess_, const JointOptions& options_,
   result.T_ref_cur = guess.T_ref_cur;
   if (!guess.covariance) return;
   result.covariance = *guess.covariance;
-  guessPrior = {guess.T_ref_cur, guess.covariance->inverse()};
+  guessPrior_ = {guess.T_ref_cur, guess.covariance->inverse()};
 }
 }  // namespace psmks

@@ -18,7 +18,7 @@
 
 namespace psmks
 {
-/** The buffers of a joint match, kept from one to the next. */
+/** The memory of joint matches, kept from one to the next so that it is not allocated anew. */
 struct JointBuffers
 {
   ScanFeatures reference, current;
@@ -26,11 +26,12 @@ struct JointBuffers
   CorrelativeSearch correlativeSearch;
   std::vector<Hypothesis> hypotheses;
   std::vector<RefinedPose> refinedPoses;
+  std::vector<RefinedPose> alternatives;
   JointProblem problem;
 };
 
 /** What the steps of one joint match share: what is asked, the buffers, and the result as far as it
- * is known. Steps add their iterations and times to the result as they go. */
+ * is known. Steps add their iterations and times to the result. */
 struct JointMatch
 {
   /** All arguments are kept by reference; the views of the buffers are those of the scans.
@@ -45,18 +46,36 @@ struct JointMatch
   JointBuffers& buffers;
   MatchTrace* trace;
 
-  double rangeSigma_m;                  //!< of the noisier scan
-  ScanScores scores;                    //!< of poses for these scans
-  std::optional<PriorTerm> guessPrior;  //!< the guess, where it was measured and not given up
+  double rangeSigma_m;  //!< of the noisier scan
+  ScanScores scores;    //!< of poses for these scans
   MatchResult result;
 
-  /** A direction in which the position is known worse is not observable: that of the options, or
-   * for noisy scanners the one below which all rays together know less than half of a single ray
-   * that meets a wall head-on. */
+  /** The guess as a measurement; null where it has no covariance or was given up. */
+  const PriorTerm* prior() const
+  {
+    return guessPrior_ && !result.guessGivenUp ? &*guessPrior_ : nullptr;
+  }
+
+  /** Of the guess where it is used as a measurement, else MatchResult::unknownCovariance(). */
+  Eigen::Matrix3d guessCovariance() const
+  {
+    return prior() ? *guess.covariance : MatchResult::unknownCovariance();
+  }
+
+  /** Standard deviation above which the position along a direction is weakly observable: that of
+   * the options, or 1.5 standard deviations of a range where that is more. All rays together then
+   * know less than half of what a single ray knows that meets a wall head-on. */
   double weakDirectionSigma_m() const
   {
     constexpr double kHalfARay = 1.5;
     return std::max(options.weakDirectionSigma_m, kHalfARay * rangeSigma_m);
+  }
+
+  /** Standard deviation above which the position along a direction is not observable, and is taken
+   * from the guess. */
+  double unobservableSigma_m() const
+  {
+    return std::max(options.unobservableSigma_m, weakDirectionSigma_m());
   }
 
   /** Whether a pose associates more than this share of the current scan's rays. */
@@ -64,5 +83,8 @@ struct JointMatch
   {
     return pose.associations > share * buffers.current.scan->rays();
   }
+
+ private:
+  std::optional<PriorTerm> guessPrior_;
 };
 }  // namespace psmks

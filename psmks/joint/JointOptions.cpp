@@ -24,7 +24,8 @@ void listFields(OptionTable& table, JointOptions& o)
   table.add("confident_score", o.confidentScore, Unit::None, 0, 1,
             "free-space score from which no further start is tried");
   table.add("agreed_score", o.agreedScore, Unit::None, 0, 1,
-            "the same for a pose within the 95 % ellipsoid of a guess that has a covariance");
+            "the same for a pose that agrees with a guess that has a covariance, by the 95 % "
+            "ellipsoid of their difference");
   table.add(
       "distance_gate_m", o.distanceGate_m, Unit::Metre, 1e-3, 10,
       "lines farther apart are not associated, first association; halved at each further one, "
@@ -48,8 +49,11 @@ void listFields(OptionTable& table, JointOptions& o)
   table.add("accept_score", o.acceptScore, Unit::None, 0, 1,
             "a pose with a lower free-space score is refused");
   table.add("weak_direction_sigma_m", o.weakDirectionSigma_m, Unit::Metre, 1e-4, 10,
-            "a direction in which the scans fix the position worse is not observable; at least 1.5 "
-            "times the standard deviation of a range");
+            "a direction in which the scans fix the position worse is weakly observable; at least "
+            "1.5 times the standard deviation of a range");
+  table.add("unobservable_sigma_m", o.unobservableSigma_m, Unit::Metre, 1e-4, 10,
+            "a direction in which the scans fix the position worse is not observable: along it the "
+            "pose is the guess; at least weak_direction_sigma_m");
   table.add("weak_heading_sigma_deg", o.weakHeadingSigma_rad, Unit::Degree, degToRad(1e-3),
             degToRad(180), "a heading that the scans fix worse is not observable");
 }

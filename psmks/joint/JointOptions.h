@@ -12,8 +12,8 @@ enum class JointSolver
   Ceres
 };
 
-/** The joint scheme (docs/derivations.md): hypotheses where the guess may be far off, Gauss-Newton
- * over x, y and theta, acceptance by the free-space score. */
+/** Options of the joint scheme (docs/derivations.md): which starts are refined, how, and which pose
+ * is accepted. docs/options.md lists ranges and meanings. */
 struct JointOptions
 {
   // Hypotheses
@@ -39,6 +39,7 @@ struct JointOptions
   int minAssociations = 10;             //!< fewer associated rays fail
   double acceptScore = 0.65;            //!< a lower free-space score fails
   double weakDirectionSigma_m = 0.015;  //!< a direction known worse is not observable
+  double unobservableSigma_m = 0.05;    //!< of a direction known worse, the guess is kept
   double weakHeadingSigma_rad = degToRad(1.0);
 };
 

@@ -19,9 +19,7 @@ void tryGuess(JointMatch& match, CandidateSearch& search)
 {
   constexpr double kPromising = 0.5;  // rough score from which a guess is refined first
   const Pose2& guess_T_ref_cur = match.guess.T_ref_cur;
-  const double score = match.scores.roughScore(guess_T_ref_cur);
-  match.result.errorBefore = match.result.errorAfter = 1 - score;
-  if (score >= kPromising) search.refineAndKeep(guess_T_ref_cur);
+  if (match.scores.roughScore(guess_T_ref_cur) >= kPromising) search.refineAndKeep(guess_T_ref_cur);
 }
 }  // namespace
 

@@ -5,18 +5,21 @@
 
 namespace psmks
 {
-/** J'WJ and -J'We at a pose; order x, y, phi. */
+/** Gauss-Newton's normal equations H step = g at a pose, for a step in (x, y, phi), reference axes.
+ */
 struct NormalEquations
 {
-  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();  //!< J' W J, the information about the pose
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();  //!< -J' W e, the gradient of the log likelihood
 };
 
-/** @param withPrior whether the prior enters */
+/** Normal equations of a problem at a pose, with the kernel's weights there.
+ *  @param withPrior whether the prior is included */
 NormalEquations linearise(const JointProblem& problem, const Pose2& T_ref_cur,
                           bool withPrior = true);
 
-/** Residual and its derivative by (x, y, phi); the formulas stand with the terms. */
+/** Residual e of a term at a pose and its derivative J by (x, y, phi); JointProblem.h states the
+ * formulas. */
 struct LinePairResidual
 {
   Eigen::Vector2d e;
@@ -50,8 +53,9 @@ struct JointSolution
   bool converged = false;
 };
 
-/** Gauss-Newton with the kernel's weights renewed at every step (iteratively reweighted least
- * squares). A direction without information is not stepped along. */
+/** Minimises the cost of a problem by Gauss-Newton, with the kernel's weights renewed at every step
+ * (iteratively reweighted least squares). Along a direction without information the pose stays.
+ *  @param[in,out] T_ref_cur start and result; the last pose where the iterations run out */
 JointSolution solveByGaussNewton(const JointProblem& problem, const SolverLimits& limits,
                                  Pose2& T_ref_cur);
 }  // namespace psmks

@@ -1,5 +1,4 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/geometry/ChiSquared.h>
 #include <psmks/joint/PoseVerifier.h>
 
 namespace psmks
@@ -7,10 +6,9 @@ namespace psmks
 bool PoseVerifier::isConvincing(const RefinedPose& pose) const
 {
   const JointOptions& options = match_.options;
-  const double enough =
-      agreesWithGuess(pose.T_ref_cur) ? options.agreedScore : options.confidentScore;
+  const double enough = agreesWithGuess(pose) ? options.agreedScore : options.confidentScore;
   return pose.converged && pose.score >= enough && isHeldByLines(pose) &&
-         (match_.guessPrior || isPositionFixed(pose));
+         (match_.prior() || isPositionFixed(pose));
 }
 
 bool PoseVerifier::isDoubtful(const RefinedPose& pose) const
@@ -44,7 +42,7 @@ bool PoseVerifier::isAcceptable(const RefinedPose& pose) const
 {
   constexpr double kMoreToContradict = 0.1;  // a measured guess
   return pose.score >=
-         match_.options.acceptScore + (contradictsGuess(pose.T_ref_cur) ? kMoreToContradict : 0);
+         match_.options.acceptScore + (contradictsGuess(pose) ? kMoreToContradict : 0);
 }
 
 double PoseVerifier::rankingScore(const RefinedPose& pose) const
@@ -78,20 +76,13 @@ bool PoseVerifier::hasFewStraightLines(const RefinedPose& pose) const
   return pose.angleVariance_rad2 >= kWellKnown_rad * kWellKnown_rad;
 }
 
-bool PoseVerifier::agreesWithGuess(const Pose2& T_ref_cur) const
+bool PoseVerifier::agreesWithGuess(const RefinedPose& pose) const
 {
-  return match_.guessPrior && chi2FromGuess(T_ref_cur) <= kChi2At95With3Dof;
+  return match_.prior() && pose.innovation.isAgreement();
 }
 
-bool PoseVerifier::contradictsGuess(const Pose2& T_ref_cur) const
+bool PoseVerifier::contradictsGuess(const RefinedPose& pose) const
 {
-  return match_.guessPrior && chi2FromGuess(T_ref_cur) > kChi2At999With3Dof;
-}
-
-double PoseVerifier::chi2FromGuess(const Pose2& T_ref_cur) const
-{
-  const Pose2 &a = T_ref_cur, &b = match_.guess.T_ref_cur;
-  const Eigen::Vector3d apart(a.x_m - b.x_m, a.y_m - b.y_m, wrapAngle(a.phi_rad - b.phi_rad));
-  return apart.dot(match_.guessPrior->information * apart);
+  return match_.prior() && pose.innovation.isContradiction();
 }
 }  // namespace psmks

@@ -5,60 +5,64 @@
 
 namespace psmks
 {
-/** Tells how far a refined pose may be trusted. */
+/** Decides what a refined pose is good for: to end the search, to be accepted, to be searched
+ * beside. */
 class PoseVerifier
 {
  public:
   explicit PoseVerifier(const JointMatch& match) : match_(match) {}
 
-  /** Whether a pose leaves no doubt: it has settled, its score is high, and lines hold it in place
-   * where rays lie on surfaces. A pose half a degree off can still have its rays within the
-   * tolerance of most surfaces, but the lines there are then no pairs. */
+  /** Whether a pose ends the search: it has converged, its score reaches `confident_score`, or
+   * `agreed_score` where it agrees with the guess, lines hold it (isHeldByLines()), and its
+   * position is fixed or the guess is used as a measurement. */
   bool isConvincing(const RefinedPose& pose) const;
 
-  /** Whether so few rays are explained, or explained by few pairs of lines, that the true pose may
-   * be quite another one. */
+  /** Whether the true pose may be far from this one: the pose is not acceptable, or fewer than 87 %
+   * of the rays are explained and at most 35 % associated. */
   bool isDoubtful(const RefinedPose& pose) const;
 
-  /** Whether a pose may stand against a measured guess: most rays are explained, many of them by
-   * pairs of lines. */
+  /** Whether a pose may replace a guess with a covariance: at least 87 % of the rays are explained,
+   * more than 35 % associated, and lines hold the pose. */
   bool isBeyondDoubt(const RefinedPose& pose) const;
 
-  /** Whether the true pose may lie far along a wall: much stays unexplained, or the lines leave
-   * open where it is. */
+  /** Whether the true pose may lie far along a wall: fewer than 87 % of the rays are explained, or
+   * the scans do not fix the position. */
   bool mayBeFarOff(const RefinedPose& pose) const;
 
-  /** Whether so many rays are explained that a match with this pose is accepted: more where it
-   * contradicts a measured guess. */
+  /** Whether a match with this pose is accepted: its score reaches `accept_score`, or 0.1 more
+   * where it contradicts the guess. */
   bool isAcceptable(const RefinedPose& pose) const;
 
-  /** What poses are compared by. Along a wall poses explain the scans alike wherever they are, but
-   * for a door jamb: one that has found it is worth more than one that slides. */
+  /** What refined poses are compared by: the score, less 0.02 where the position is not fixed.
+   * Along a wall poses explain the scans alike wherever they are, so that one that a door jamb
+   * holds is preferred to one that nothing holds. */
   double rankingScore(const RefinedPose& pose) const;
 
-  /** Whether of the rays that lie on surfaces enough are associated. */
+  /** Whether at least half of the rays that lie on surfaces of the other scan are associated. A
+   * pose half a degree off has most rays within the tolerance of surfaces, but few lines that pair.
+   */
   bool isHeldByLines(const RefinedPose& pose) const;
 
-  /** Whether a direction is held by a few rays, of a door jamb or of somebody's legs. */
+  /** Whether the position along some direction is fixed by few rays, as of a door jamb or of legs:
+   * its standard deviation there is above half that of a range. */
   bool isWeaklyHeld(const RefinedPose& pose) const;
 
-  /** Whether no pair of lines is straight for long enough to know its direction well. A curve is
-   * cut into short pieces of line, whose directions are no more than those of the pieces: in a
-   * round room they pair up at any heading, each time with confidence. */
+  /** Whether no pair of lines knows its angle to 0.25 degrees. A curve is segmented into short
+   * lines, which in a round room pair up at any heading, with small residuals each time. */
   bool hasFewStraightLines(const RefinedPose& pose) const;
 
-  /** Whether the guess was measured and the pose lies within its 95 % ellipsoid: two witnesses for
-   * one pose. */
-  bool agreesWithGuess(const Pose2& T_ref_cur) const;
+  /** Whether the guess is used as a measurement and what the scans alone say of the pose agrees
+   * with it (Innovation::isAgreement): two independent witnesses for one pose. */
+  bool agreesWithGuess(const RefinedPose& pose) const;
 
-  /** Whether the guess was measured and the pose lies outside its 99.9 % ellipsoid. */
-  bool contradictsGuess(const Pose2& T_ref_cur) const;
+  /** Whether the guess is used as a measurement and what the scans alone say of the pose
+   * contradicts it (Innovation::isContradiction). */
+  bool contradictsGuess(const RefinedPose& pose) const;
 
  private:
   bool pairsFewRays(const RefinedPose& pose) const;
   bool explainsMost(const RefinedPose& pose) const;
   bool isPositionFixed(const RefinedPose& pose) const;
-  double chi2FromGuess(const Pose2& T_ref_cur) const;
 
   const JointMatch& match_;
 };

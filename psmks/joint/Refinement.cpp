@@ -10,8 +10,9 @@ namespace psmks
 {
 namespace
 {
-/** A pull towards the start of an association so weak that it acts only along what the scans do
- * not fix: there the estimate would wander with the noise. */
+/** Holds an estimate near the start of an association where the guess was not measured, so weakly
+ * that it acts only along what the scans do not fix: there the estimate would wander with the
+ * noise. */
 PriorTerm startPrior(const Pose2& start)
 {
   constexpr double kSigma_m = 0.3, kSigma_rad = degToRad(20);
@@ -76,7 +77,7 @@ Pose2 Refinement::associate(double share, bool last, RefinedPose& pose)
   JointProblem& problem = buffers.problem;
   problem.clear();
   problem.kernelWidth = options.kernelWidth;
-  problem.prior = match_.guessPrior ? *match_.guessPrior : startPrior(before);
+  problem.prior = match_.prior() ? *match_.prior() : startPrior(before);
   pose.associations = pairLines(buffers.reference, buffers.current, before, gates, problem);
   if (hasTooFew(pose)) return {};
   pose.converged = solve(last ? finalLimits() : limitsWithin(gates), pose.T_ref_cur);
@@ -112,8 +113,11 @@ void Refinement::score(RefinedPose& pose) const
   const RayCounts counts = match_.scores.allCounts(pose.T_ref_cur);
   pose.score = freeSpaceScore(counts);
   pose.inlierRays = match_.scores.inlierRays(counts);
-  pose.information = linearise(problem, pose.T_ref_cur, false).H;
-  pose.observability = observability(pose.information);
+  pose.scans = linearise(problem, pose.T_ref_cur, false);
+  pose.observability = observability(pose.scans.H);
+  if (match_.prior())
+    pose.innovation = innovation({match_.guess.T_ref_cur, *match_.guess.covariance}, pose.T_ref_cur,
+                                 pose.scans.H, pose.scans.g);
   compareWithBestLinePair(pose);
 }
 

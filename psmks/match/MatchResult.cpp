@@ -7,6 +7,32 @@
 
 namespace psmks
 {
+namespace
+{
+void reportDirection(const char* what, const std::optional<Eigen::Vector2d>& direction,
+                     std::ostream& out)
+{
+  if (!direction) return;
+  const double along_rad = std::atan2(direction->y(), direction->x());
+  out << "; " << what << " along " << std::setprecision(1) << radToDeg(along_rad) << " deg";
+}
+
+/** What the scans leave open, and whether they contradict the guess. */
+void reportOpen(const MatchResult& match, std::ostream& out)
+{
+  reportDirection("not observable", match.unobservableDirection, out);
+  reportDirection("weakly observable", match.weakDirection, out);
+  if (match.headingUnobservable) out << "; heading not observable";
+  if (match.ambiguity)
+    out << "; " << match.ambiguity->alternatives
+        << (match.ambiguity->alternatives == 1 ? " alternative" : " alternatives");
+  if (match.guessGivenUp) out << "; guess given up";
+  if (match.contradictsGuess())
+    out << "; contradicts the guess, chi2 " << std::setprecision(1) << match.innovation->chi2
+        << " of " << match.innovation->degreesOfFreedom;
+}
+}  // namespace
+
 const char* toString(MatchStatus status)
 {
   switch (status)
@@ -42,6 +68,17 @@ Eigen::Matrix3d MatchResult::unknownCovariance()
       .asDiagonal();
 }
 
+bool MatchResult::contradictsGuess() const { return innovation && innovation->isContradiction(); }
+
+std::optional<Eigen::Vector2d> MatchResult::ambiguousDirection() const
+{
+  if (!ambiguity) return std::nullopt;
+  const Eigen::Vector2d apart_m =
+      ambiguity->dominant_T_ref_cur.translation() - T_ref_cur.translation();
+  if (!(apart_m.norm() > 0)) return std::nullopt;
+  return apart_m.normalized();
+}
+
 std::string MatchResult::report() const
 {
   const auto sigma = [this](int i) { return std::sqrt(covariance(i, i)); };
@@ -53,12 +90,7 @@ std::string MatchResult::report() const
       << " deg; score " << std::setprecision(2) << score << ", " << associations
       << " associations, " << iterations << " iterations, " << std::setprecision(3)
       << 1e3 * times.total_s() << " ms";
-  if (unobservableDirection)
-  {
-    const double along_rad = std::atan2(unobservableDirection->y(), unobservableDirection->x());
-    out << "; not observable along " << std::setprecision(1) << radToDeg(along_rad) << " deg";
-  }
-  if (headingUnobservable) out << "; heading not observable";
+  reportOpen(*this, out);
   return out.str();
 }
 }  // namespace psmks

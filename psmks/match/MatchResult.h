@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/geometry/Innovation.h>
 #include <psmks/geometry/Pose2.h>
 
 #include <Eigen/Core>
@@ -9,36 +10,62 @@
 
 namespace psmks
 {
-/** How a match ended. In every failure `T_ref_cur` is the guess and the covariance is that of the
- *  guess where one was given, else MatchResult::kUnknownCovariance. */
+/** How a match ended.
+ *
+ * In every failure `T_ref_cur` is the guess (the identity where the guess is not finite), and the
+ * covariance is that of the guess, or MatchResult::unknownCovariance() where the guess has none or
+ * an invalid one. */
 enum class MatchStatus
 {
-  NotRun,              //!< a default-constructed result: no match was made. Failure.
-  Converged,           //!< the last step fell below the options' step limits, or (paper) a further
-                       //!< alternation would raise the error. Pose: the estimate.
-  MaxIterations,       //!< the iterations ran out first. Pose: the best estimate so far; usable.
-  TooFewAssociations,  //!< fewer associated rays than `min_associations`. Failure.
-  NoImprovement,       //!< paper: the matching error did not fall below that of the guess, or
-                       //!< not to `max_residual_m`;
-                       //!< joint: no pose tried reached the acceptance score. Failure.
-  Degenerate,          //!< as Converged, but one direction is not observable (a corridor): along it
-               //!< the pose is the guess, across it the estimate. Usable with its covariance.
-  InvalidInput  //!< no valid ray in one of the scans, or a guess that is not finite or whose
-                //!< covariance is not positive definite. Failure.
+  /** No match was made: the result was constructed by default. Failure. */
+  NotRun,
+
+  /** The scans fix position and heading. The last step fell below `stop_translation_m` and
+   *  `stop_rotation_deg`, or (paper) a further alternation would raise the matching error. Usable.
+   *  Whether the guess agrees is another question: see MatchResult::contradictsGuess(). */
+  Converged,
+
+  /** As Converged, but `max_iterations` ran out before the steps were that short. The pose is the
+   *  best estimate so far. Usable. */
+  MaxIterations,
+
+  /** Fewer than `min_associations` rays were associated. Failure. */
+  TooFewAssociations,
+
+  /** Joint scheme: no pose that was tried reached `accept_score`, or 0.1 more where it contradicts
+   *  the guess. Paper's scheme: the matching error did not fall below that of the guess, or the
+   *  residuals not to `max_residual_m`. Failure. */
+  NoImprovement,
+
+  /** As Converged or MaxIterations, but the scans leave something open. At least one of
+   *  `unobservableDirection`, `weakDirection`, `headingUnobservable` and `ambiguity` says what, and
+   *  what pose and covariance mean there. Usable with its covariance. */
+  Degenerate,
+
+  /** A scan without a valid ray, a guess that is not finite, or a covariance of the guess that is
+   *  not finite, not symmetric or not positive definite. Failure. */
+  InvalidInput
 };
 
 /** "Converged", "Degenerate", ... */
 const char* toString(MatchStatus status);
 
-/** Where the time of a match went. */
+/** Wall time of the stages of a match. */
 struct StageTimes
 {
   double segmentation_s = 0;  //!< of the scans segmented inside the match
-  double search_s = 0;        //!< orientation search or hypotheses
-  double refinement_s = 0;    //!< translation regression or Gauss-Newton
+  double search_s = 0;        //!< orientation search (paper) or proposal of hypotheses (joint)
+  double refinement_s = 0;    //!< translation regression (paper) or Gauss-Newton (joint)
   double scoring_s = 0;       //!< free-space score, observability, covariance
 
   double total_s() const { return segmentation_s + search_s + refinement_s + scoring_s; }
+};
+
+/** Other optima that explain the scans about as well as the reported pose. */
+struct Ambiguity
+{
+  int alternatives = 0;      //!< distinct optima besides the reported pose, each counted once
+  Pose2 dominant_T_ref_cur;  //!< the alternative with the highest free-space score
 };
 
 /** What a match found. */
@@ -49,31 +76,95 @@ struct MatchResult
   /** Pose of the current sensor frame in the reference sensor frame. */
   Pose2 T_ref_cur;
 
-  /** Covariance of (x, y, phi) in the axes of the reference frame: m^2, m rad, rad^2. Never zero:
-   *  (1 m)^2, (1 m)^2, (30 deg)^2 where nothing better is known. */
+  /** Covariance of (x, y, phi) in the axes of the reference frame: m^2, m rad, rad^2. Positive
+   *  definite. It is (P_guess^-1 + H)^-1, H the information of the scans at the pose and P_guess
+   *  the covariance of the guess, or unknownCovariance() where it has none or was given up; the
+   *  fields below say what they change of it. */
   Eigen::Matrix3d covariance = unknownCovariance();
 
-  /** Unit vector in the reference frame along which the scans do not fix the position. */
+  /** Lack of constraint, as along a bare corridor: unit vector u in the axes of the reference frame
+   *  along which the scans do not fix the position. Set where the standard deviation of the
+   *  position along its worst known direction, from the scans alone and with the heading estimated
+   *  too, exceeds `unobservable_sigma_m` and 1.5 times the standard deviation of a range (joint),
+   *  or `weak_direction_sigma_m` (paper).
+   *
+   *  Along u the pose is exactly the guess and the variance exactly that of the guess: whatever the
+   *  scans say about that component of the position is given up. Across u, and in the heading, both
+   *  are the estimate. */
   std::optional<Eigen::Vector2d> unobservableDirection;
 
-  /** True where the scans do not fix the heading (a round room). */
+  /** Weak constraint, as along a corridor with a few door jambs: unit vector in the axes of the
+   *  reference frame along which the scans fix the position badly. Set where the same standard
+   *  deviation exceeds `weak_direction_sigma_m` and 1.5 times that of a range, and is too small
+   *  for `unobservableDirection`. Pose and covariance are the estimate in all directions; the
+   *  covariance shows how well this one is known. Joint scheme only. */
+  std::optional<Eigen::Vector2d> weakDirection;
+
+  /** True where the scans do not fix the heading, as in a round room: its standard deviation, from
+   *  the scans alone and with the position estimated too, exceeds `weak_heading_sigma_deg`; or
+   *  (joint) no pair of lines fixes its direction to 0.25 degrees, a start turned by 5 degrees
+   *  stays away and has a free-space score at most 0.03 lower, and so has the guess's heading.
+   *
+   *  The heading is exactly that of the guess, with its variance, and the position the one that
+   *  suits this heading. The variance of the heading carries over to the position. Position and
+   *  heading are correlated accordingly. */
   bool headingUnobservable = false;
 
-  double errorBefore = 0;  //!< matching error at the guess; no unit. Paper: section 2.2; joint:
-                           //!< 1 - free-space score
-  double errorAfter = 0;   //!< matching error at T_ref_cur
-  double score = 0;        //!< share of the rays explained by the other scan, 0 to 1
-  int associations = 0;    //!< associated rays at T_ref_cur
-  int iterations = 0;      //!< alternations (paper) or Gauss-Newton steps (joint)
-  int hypotheses = 0;      //!< starts that were refined (joint)
+  /** Ambiguity between optima, as between equal doors: other refined poses explain the scans as
+   *  well and do not contradict the guess. Set where such a pose has a free-space score at most
+   *  0.05 lower (0.2 where lines hold less than half of the rays that lie on surfaces) and the
+   *  same heading to 2 degrees, and lies more than 0.1 m away, distances along
+   *  `unobservableDirection` left out; or where another heading does as under
+   *  `headingUnobservable` but that of the guess does not. Joint scheme only, and among the poses
+   *  that were tried: its absence proves nothing.
+   *
+   *  The pose is the optimum with the highest score, not the guess, nor a mean. For each
+   *  alternative, d away from it in (x, y, phi), d d' is added to the covariance once, so that
+   *  one standard deviation reaches every alternative. */
+  std::optional<Ambiguity> ambiguity;
+
+  /** How far the guess is from what the scans alone say. Set by the joint scheme where a usable
+   *  result came from a guess with a covariance. What is taken from the guess does not count. */
+  std::optional<Innovation> innovation;
+
+  /** True where the guess left no acceptable pose and was given up (joint, SearchScope::Full): the
+   *  pose is then what the scans alone say, as from a guess without a covariance, and
+   *  contradictsGuess() tells the reason. */
+  bool guessGivenUp = false;
+
+  /** Free-space score of the best pose: the share of the rays that the other scan explains, 0 to 1.
+   *  In a failure that of the best pose that was refused, or 0. */
+  double score = 0;
+
+  int associations = 0;  //!< associated rays of the pose that the score belongs to
+  int iterations = 0;    //!< steps of the optimiser over the whole match: alternations of the
+                         //!< paper's scheme, Gauss-Newton steps of the joint one
+  int hypotheses = 0;    //!< joint scheme: starts that were refined; 0 in the paper's scheme
   StageTimes times;
+
+  /** Matching error at the guess and after the match; no unit (paper, section 2.2). Only the
+   *  paper's scheme has it: 0 in the joint scheme, which judges poses by the score. In a failure
+   *  both are that of the guess. */
+  double errorBefore = 0, errorAfter = 0;
 
   /** True where T_ref_cur may be used: Converged, MaxIterations or Degenerate. */
   bool usable() const;
 
-  /** One line for people: status, pose, sigmas, score, associations, iterations, time. */
+  /** True where the guess had a covariance and the scans contradict it: the innovation lies outside
+   *  the 99.9 % ellipsoid of P_guess + P_scans. One of the two covariances is then wrong, and with
+   *  it the pose, which is the best compromise between both unless the guess was given up. */
+  bool contradictsGuess() const;
+
+  /** Unit vector from the position of the reported pose to that of the dominant alternative; none
+   *  without an ambiguity, or where only the headings differ. */
+  std::optional<Eigen::Vector2d> ambiguousDirection() const;
+
+  /** One line for people: status, pose, standard deviations, score, associations, iterations, time,
+   *  and what is open or contradicts the guess. */
   std::string report() const;
 
+  /** What stands for the covariance of a guess that has none: standard deviations of 1 m, 1 m and
+   *  30 degrees. */
   static Eigen::Matrix3d unknownCovariance();
 };
 }  // namespace psmks

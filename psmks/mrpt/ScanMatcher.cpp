@@ -47,7 +47,7 @@ double goodnessOf(const MatchResult& match, double acceptScore)
 /** The goodness of a match that leaves nothing open, else 0. */
 double qualityOf(const MatchResult& match, double goodness)
 {
-  return match.unobservableDirection || match.headingUnobservable ? 0 : goodness;
+  return match.status == MatchStatus::Degenerate ? 0 : goodness;
 }
 
 /** Fills the fields that the caller's class of information has. */

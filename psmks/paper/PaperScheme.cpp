@@ -120,7 +120,7 @@ class PaperMatch
   {
     if (trace_)
       trace_->steps.push_back(
-          {stage, e.T_ref_cur, e.value.error, e.value.associations, e.value.refused});
+          {stage, e.T_ref_cur, e.value.error, std::nullopt, e.value.associations, e.value.refused});
   }
 
   // ---- conclusion -----------------------------------------------------------------------------
@@ -157,17 +157,34 @@ class PaperMatch
   void finishCovariance(const Observability& o)
   {
     const Eigen::Matrix3d guessed = result_.covariance;
-    result_.headingUnobservable = o.headingSigma_rad > options_.weakHeadingSigma_rad;
+    if (o.headingSigma_rad > options_.weakHeadingSigma_rad) takeHeadingOfGuess();
     if (o.weakSigma_m > options_.weakDirectionSigma_m)
       keepGuessAlong(o.weakDirection, guessed);
     else
       result_.covariance = buffers_.covariance.of(Eigen::Matrix3d::Identity());
+    if (result_.headingUnobservable) widenHeading(guessed(2, 2) - result_.covariance(2, 2));
     if (!result_.covariance.allFinite()) result_.covariance = guessed;
   }
 
+  void takeHeadingOfGuess()
+  {
+    result_.status = MatchStatus::Degenerate;
+    result_.headingUnobservable = true;
+    result_.T_ref_cur =
+        turnedTo(guess_.T_ref_cur.phi_rad, result_.T_ref_cur, buffers_.covariance.information());
+  }
+
+  /** Adds an error of the heading, and of the position that goes with it. */
+  void widenHeading(double variance_rad2)
+  {
+    if (!(variance_rad2 > 0)) return;
+    Eigen::Vector3d turn;
+    turn << positionPerHeading(buffers_.covariance.information()), 1;
+    result_.covariance += variance_rad2 * turn * turn.transpose();
+  }
+
   /** Replaces the position along the direction that the scans do not constrain by that of the
-   * guess.
-   */
+   * guess. */
   void keepGuessAlong(const Eigen::Vector2d& weak, const Eigen::Matrix3d& guessed)
   {
     result_.status = MatchStatus::Degenerate;

@@ -12,7 +12,8 @@ namespace
 constexpr const char* kMatchesHeader =
     "stamp_s,reference_stamp_s,status,x_m,y_m,phi_deg,cov_xx_m2,cov_xy_m2,cov_yy_m2,"
     "cov_xphi_m_deg,cov_yphi_m_deg,cov_phiphi_deg2,associations,iterations,segmentation_ms,"
-    "match_ms,decides\n";
+    "match_ms,direction_open,direction_weak,heading_open,alternatives,innovation_chi2,"
+    "innovation_dof,guess_given_up,decides\n";
 
 void writeStamp(std::ostream& out, double stamp_s)
 {
@@ -29,6 +30,16 @@ void writeCovariance(std::ostream& out, const Eigen::Matrix3d& covariance)
     for (Eigen::Index row = 0; row <= column; ++row) out << shown(row, column) << ',';
 }
 
+/** What the scans leave open, as 0 or 1 or numbers, and how far the guess is from them. */
+void writeOpen(std::ostream& out, const MatchResult& result)
+{
+  const Innovation innovation = result.innovation.value_or(Innovation());
+  out << result.unobservableDirection.has_value() << ',' << result.weakDirection.has_value() << ','
+      << result.headingUnobservable << ','
+      << (result.ambiguity ? result.ambiguity->alternatives : 0) << ',' << innovation.chi2 << ','
+      << innovation.degreesOfFreedom << ',' << result.guessGivenUp << ',';
+}
+
 void writeMatch(std::ostream& out, const ReferenceMatch& match, const PosedScan& scan,
                 const PosedScan& reference)
 {
@@ -40,7 +51,9 @@ void writeMatch(std::ostream& out, const ReferenceMatch& match, const PosedScan&
       << radToDeg(T_ref_cur.pose.phi_rad) << ',';
   writeCovariance(out, T_ref_cur.covariance);
   out << result.associations << ',' << result.iterations << ',' << 1e3 * result.times.segmentation_s
-      << ',' << 1e3 * time_s << ',' << (decides ? 1 : 0) << '\n';
+      << ',' << 1e3 * time_s << ',';
+  writeOpen(out, result);
+  out << (decides ? 1 : 0) << '\n';
 }
 }  // namespace
 

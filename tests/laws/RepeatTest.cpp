@@ -10,13 +10,13 @@ namespace
 /** Whether two results are equal to the last bit, except for their times. */
 testing::AssertionResult isIdentical(const MatchResult& a, const MatchResult& b)
 {
-  const bool same = a.status == b.status && a.T_ref_cur.x_m == b.T_ref_cur.x_m &&
-                    a.T_ref_cur.y_m == b.T_ref_cur.y_m &&
-                    a.T_ref_cur.phi_rad == b.T_ref_cur.phi_rad && a.covariance == b.covariance &&
-                    a.score == b.score && a.errorBefore == b.errorBefore &&
-                    a.errorAfter == b.errorAfter && a.associations == b.associations &&
-                    a.iterations == b.iterations && a.hypotheses == b.hypotheses &&
-                    a.unobservableDirection == b.unobservableDirection;
+  const bool same =
+      a.status == b.status && a.T_ref_cur.x_m == b.T_ref_cur.x_m &&
+      a.T_ref_cur.y_m == b.T_ref_cur.y_m && a.T_ref_cur.phi_rad == b.T_ref_cur.phi_rad &&
+      a.covariance == b.covariance && a.score == b.score && a.errorBefore == b.errorBefore &&
+      a.errorAfter == b.errorAfter && a.associations == b.associations &&
+      a.iterations == b.iterations && a.hypotheses == b.hypotheses &&
+      a.unobservableDirection == b.unobservableDirection && a.weakDirection == b.weakDirection;
   if (same) return testing::AssertionSuccess();
   return testing::AssertionFailure() << a.report() << "\nis not " << b.report();
 }

@@ -68,8 +68,35 @@ TEST(MatchResult, TheReportIsOneLineWithUnits)
   EXPECT_EQ(result.report(),
             "Degenerate: x 0.8200 m, y -0.0840 m, phi 8.730 deg; sigma 2.0 mm, 3.0 mm, 0.050 deg; "
             "score 0.97, 170 associations, 7 iterations, 1.250 ms; not observable along 90.0 deg");
+  result.unobservableDirection.reset();
+  result.weakDirection = Eigen::Vector2d(1, 0);
+  EXPECT_TRUE(test::says(result.report(), {"weakly observable along 0.0 deg"}));
+  result.ambiguity = Ambiguity{2, {0.82, 1.916, degToRad(8.73)}};
+  EXPECT_TRUE(test::says(result.report(), {"; 2 alternatives"}));
+  EXPECT_TRUE(result.ambiguousDirection()->isApprox(Eigen::Vector2d(0, 1)));
+  result.guessGivenUp = true;
+  EXPECT_TRUE(test::says(result.report(), {"guess given up"}));
   result.headingUnobservable = true;
   EXPECT_TRUE(test::says(result.report(), {"heading not observable"}));
+}
+
+TEST(MatchResult, ContradictsTheGuessBeyondThe999PerMilleEllipsoid)
+{
+  MatchResult result;
+  EXPECT_FALSE(result.contradictsGuess()) << "nothing to compare with";
+  result.innovation = Innovation{16.2, 3};
+  EXPECT_FALSE(result.contradictsGuess());
+  result.innovation = Innovation{16.3, 3};
+  EXPECT_TRUE(result.contradictsGuess());
+  EXPECT_TRUE(test::says(result.report(), {"contradicts the guess, chi2 16.3 of 3"}));
+}
+
+TEST(MatchResult, HasNoAmbiguousDirectionWhereOnlyHeadingsDiffer)
+{
+  MatchResult result;
+  EXPECT_FALSE(result.ambiguousDirection().has_value());
+  result.ambiguity = Ambiguity{1, {0, 0, degToRad(5)}};
+  EXPECT_FALSE(result.ambiguousDirection().has_value());
 }
 
 TEST(MatchResult, TheTotalTimeIsTheSumOfTheStages)

@@ -88,7 +88,7 @@ TEST_F(PaperSchemeTest, AcceptsOnlyUpdatesThatLowerTheError)
   {
     EXPECT_EQ(trace.steps[k - 1].stage, "orientation");
     EXPECT_EQ(trace.steps[k].stage, "translation");
-    least = std::min(least, trace.steps[k].error);
+    least = std::min(least, *trace.steps[k].matchingError);
   }
   EXPECT_DOUBLE_EQ(result.errorAfter, least);
 }
@@ -156,7 +156,7 @@ TEST_F(PaperSchemeTest, NoTranslationStepRaisesTheErrorThatTheOrientationLeft)
       const MatchTrace::Step& turned = trace.steps[k - 1];
       const MatchTrace::Step& shifted = trace.steps[k];
       const bool gainsRays = turned.kept < options_.minAssociationShare * shifted.kept;
-      EXPECT_TRUE(gainsRays || shifted.error <= turned.error) << seed;
+      EXPECT_TRUE(gainsRays || *shifted.matchingError <= *turned.matchingError) << seed;
     }
   }
 }

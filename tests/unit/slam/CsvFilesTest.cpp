@@ -3,6 +3,7 @@
 #include <psmks/geometry/Angle.h>
 #include <psmks/slam/CsvFiles.h>
 
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -63,6 +64,34 @@ TEST(CsvFiles, MatchesStandInTheOrderOfTheirTrialAndOneOfThemDecides)
   EXPECT_EQ(first.back(), "1");
   EXPECT_EQ(second[1], "101.500000000");
   EXPECT_EQ(second.back(), "0");
+}
+
+TEST(CsvFiles, AMatchSaysWhatTheScansLeaveOpenAndHowFarTheGuessIs)
+{
+  std::vector<PosedScan> scans(2);
+  ReferenceMatch match = matchTo(0, MatchStatus::Degenerate);
+  match.result.unobservableDirection = Eigen::Vector2d::UnitX();
+  match.result.ambiguity = Ambiguity{2, {1, 0, 0}};
+  match.result.innovation = Innovation{20.5, 2};
+  scans[1].matches.push_back(match);
+  std::ostringstream out;
+  writeMatchesCsv(out, scans);
+
+  const auto lines = linesOf(out);
+  const auto names = fieldsOf(lines.at(0)), fields = fieldsOf(lines.at(1));
+  const std::map<std::string, std::string> expected{
+      {"direction_open", "1"},     {"direction_weak", "0"}, {"heading_open", "0"},
+      {"alternatives", "2"},       {"innovation_dof", "2"}, {"guess_given_up", "0"},
+      {"innovation_chi2", "20.5"}, {"status", "Degenerate"}};
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    const auto column = expected.find(names[i]);
+    if (column == expected.end()) continue;
+    ++found;
+    EXPECT_EQ(fields.at(i), column->second) << names[i];
+  }
+  EXPECT_EQ(found, expected.size());
 }
 
 TEST(CsvFiles, ASegmentIsARow)
