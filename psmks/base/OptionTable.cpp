@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <locale>
 #include <numeric>
@@ -60,6 +61,7 @@ double parseNumber(const std::string& text, Unit unit, const std::string& key,
 
 std::string formatNumber(double value, Unit unit)
 {
+  if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
   const long double shown = unit == Unit::Degree ? value * kDegreesPerRadian : value;
   return shortestText(
       shown, [&](const std::string& text) { return parseNumber(text, unit, "", "") == value; });
@@ -127,6 +129,11 @@ void OptionTable::add(const std::string& key, double& value, Unit unit, double m
                        if (!(x >= min && x <= max)) refuse(key, text, constraint);
                        value = x;
                      }});
+  checks_.emplace_back(
+      [&value, unit, min, max, key, constraint]
+      {
+        if (!(value >= min && value <= max)) refuse(key, formatNumber(value, unit), constraint);
+      });
 }
 
 void OptionTable::add(const std::string& key, int& value, int min, int max, const std::string& help)
@@ -143,6 +150,11 @@ void OptionTable::add(const std::string& key, int& value, int min, int max, cons
                          refuse(key, text, constraint);
                        value = x;
                      }});
+  checks_.emplace_back(
+      [&value, min, max, key, constraint]
+      {
+        if (value < min || value > max) refuse(key, std::to_string(value), constraint);
+      });
 }
 
 void OptionTable::add(const std::string& key, bool& value, const std::string& help)
@@ -156,18 +168,25 @@ void OptionTable::add(const std::string& key, bool& value, const std::string& he
                        if (t != "true" && t != "false") refuse(key, text, constraint);
                        value = t == "true";
                      }});
+  checks_.emplace_back([] {});  // both values are accepted
 }
 
 void OptionTable::add(const std::string& key, std::string& value, const std::string& help)
 {
   fields_.push_back({sections_.back().name, key, "text", help, [&value] { return value; },
                      [&value](const std::string& text) { value = trimmed(text); }});
+  checks_.emplace_back([] {});  // every text is accepted
 }
 
 void OptionTable::addEnum(const std::string& key, const EnumNames& names, const std::string& help,
                           std::function<std::size_t()> get, std::function<void(std::size_t)> set)
 {
   const std::string constraint = joined(names);
+  checks_.emplace_back(
+      [get, count = names.size(), key, constraint]
+      {
+        if (get() >= count) refuse(key, std::to_string(get()), constraint);
+      });
   fields_.push_back({sections_.back().name, key, constraint, help,
                      [get = std::move(get), names] { return names.at(get()); },
                      [set = std::move(set), names, key, constraint](const std::string& text)
@@ -204,6 +223,11 @@ void OptionTable::set(const std::string& section, const std::string& key, const 
 std::string OptionTable::get(const std::string& section, const std::string& key) const
 {
   return find(section, key).get();
+}
+
+void OptionTable::validate() const
+{
+  for (const auto& check : checks_) check();
 }
 
 std::string OptionTable::toIni(const std::string& sectionPrefix) const

@@ -82,6 +82,12 @@ class OptionTable
    *  @throws OptionError for an unknown section or key */
   std::string get(const std::string& section, const std::string& key) const;
 
+  /** Checks every value that code wrote into the struct against the constraint of its field, as
+   * set() does. Allocates nothing where all values are accepted.
+   *  @throws OptionError for the first value that is not accepted. NaN is not accepted, nor is a
+   *      number that stands for no value of an enum */
+  void validate() const;
+
   /** All fields as the text of an ini file, each with its help and its constraint as a comment. */
   std::string toIni(const std::string& sectionPrefix = "") const;
 
@@ -95,5 +101,6 @@ class OptionTable
 
   std::vector<Section> sections_;
   std::vector<OptionField> fields_;
+  std::vector<std::function<void()>> checks_;  //!< of the fields, in their order
 };
 }  // namespace psmks

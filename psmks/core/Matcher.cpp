@@ -33,7 +33,10 @@ bool needsExternalSolvers(const MatcherOptions& options)
 
 bool isPositiveDefinite(const Eigen::Matrix3d& covariance)
 {
-  return covariance.allFinite() && covariance.llt().info() == Eigen::Success;
+  constexpr double kRounding = 1e-9;  // of the largest element
+  const double asymmetry = (covariance - covariance.transpose()).cwiseAbs().maxCoeff();
+  return covariance.allFinite() && asymmetry <= kRounding * covariance.cwiseAbs().maxCoeff() &&
+         covariance.llt().info() == Eigen::Success;
 }
 
 bool isUsable(const Guess& guess)
@@ -55,17 +58,17 @@ MatchResult invalidInput(const Guess& guess)
 Matcher::Matcher(MatcherOptions options, std::shared_ptr<const ExternalSolvers> externalSolvers)
     : options_(std::move(options)), externalSolvers_(std::move(externalSolvers))
 {
+  options_.validate();
   if (needsExternalSolvers(options_) && !externalSolvers_)
     throw OptionError(
         "option 'solver' or 'translation_solver': 'ceres' is not accepted, no Ceres solvers were "
-        "given "
-        "to the matcher");
+        "given to the matcher");
 }
 
 void Matcher::segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedScan& result,
                       const ScannerNoise& scanner) const
 {
-  segmentScan(scan, options_.preprocessing, options_.segmentation, workspace.buffers().segmentation,
+  segmentScan(scan, options_.preprocessing, options_.segmentation, workspace.buffers_->segmentation,
               result, scanner);
 }
 
@@ -77,16 +80,16 @@ MatchResult Matcher::match(const SegmentedScan& reference, const SegmentedScan& 
   if (!usable) return invalidInput(guess);
   if (options_.scheme == Scheme::Paper)
     return matchByPaperScheme(reference, current, guess, options_.paper, externalSolvers_.get(),
-                              workspace.buffers().paper, trace);
+                              workspace.buffers_->paper, trace);
   return matchByJointScheme(reference, current, guess, scope, options_.joint,
-                            externalSolvers_.get(), workspace.buffers().joint, trace);
+                            externalSolvers_.get(), workspace.buffers_->joint, trace);
 }
 
 MatchResult Matcher::match(const Scan& reference, const Scan& current, const Guess& guess,
                            MatcherWorkspace& workspace, MatchTrace* trace, SearchScope scope) const
 {
   Stopwatch watch;
-  MatcherWorkspace::Buffers& buffers = workspace.buffers();
+  MatcherWorkspace::Buffers& buffers = *workspace.buffers_;
   segment(reference, workspace, buffers.reference);
   segment(current, workspace, buffers.current);
   const double segmentation_s = watch.lap_s();

@@ -15,8 +15,10 @@
 
 namespace psmks
 {
-/** The buffers of a match. One per thread; after the first match with scans of a size, a further
- * one allocates nothing. */
+/** The memory that a Matcher works in, kept from one match to the next so that a further match with
+ * scans of the same size allocates nothing. It holds no state: what a match returns does not depend
+ * on the matches before. One workspace serves one thread at a time; it may serve several matchers.
+ */
 class MatcherWorkspace
 {
  public:
@@ -25,40 +27,44 @@ class MatcherWorkspace
   MatcherWorkspace(MatcherWorkspace&&) noexcept;
   MatcherWorkspace& operator=(MatcherWorkspace&&) noexcept;
 
-  struct Buffers;
-  Buffers& buffers() { return *buffers_; }
-
  private:
+  friend class Matcher;
+  struct Buffers;
   std::unique_ptr<Buffers> buffers_;
 };
 
-/** Estimates the motion between two scans by PSM-KS.
+/** Estimates the motion between two scans by PSM-KS (Cuadra Troncoso et al., 2015).
  *
- * Immutable: one matcher may serve several threads, each with its own workspace. */
+ * A matcher is immutable: one may serve several threads at once, each with its own workspace. */
 class Matcher
 {
  public:
   /** @param externalSolvers needed where the options choose Ceres (psmks/ceres/CeresSolvers.h)
-   *  @throws OptionError if the options choose Ceres and no external solvers are given */
+   *  @throws OptionError if MatcherOptions::validate() does, or if the options choose Ceres and no
+   *  external solvers are given */
   explicit Matcher(MatcherOptions options = {},
                    std::shared_ptr<const ExternalSolvers> externalSolvers = nullptr);
 
   const MatcherOptions& options() const { return options_; }
 
-  /** Preprocessing and segmentation by these options; see segmentScan(). A scan that serves as
-   *  reference several times is segmented once. */
+  /** Segments a scan by these options, as match() needs it; see segmentScan(). A reference that
+   * several scans are matched against needs it only once.
+   *  @param result replaced; keeps its memory
+   *  @param scanner what earlier scans told about the noise of the scanner */
   void segment(const Scan& scan, MatcherWorkspace& workspace, SegmentedScan& result,
                const ScannerNoise& scanner = {}) const;
 
-  /** Pose of the current scan in the frame of the reference scan. Bad data never throws: see
-   *  MatchStatus.
-   *  @param trace filled with the steps where not null
+  /** Estimates the pose of the current sensor frame in the frame of the reference sensor; see
+   *  MatchResult. Bad data never throws but ends in a MatchStatus that is a failure.
+   *  @param reference, current segmented by a matcher with the same options
+   *  @param trace gets the steps appended where not null
    *  @param scope how far from the guess the joint scheme looks; the paper's scheme has but one */
   MatchResult match(const SegmentedScan& reference, const SegmentedScan& current,
                     const Guess& guess, MatcherWorkspace& workspace, MatchTrace* trace = nullptr,
                     SearchScope scope = SearchScope::Full) const;
 
-  /** The same from raw scans: segments both, and counts the time of it. */
+  /** The same from raw scans: segments both, and adds the time of it to StageTimes::segmentation_s.
+   */
   MatchResult match(const Scan& reference, const Scan& current, const Guess& guess,
                     MatcherWorkspace& workspace, MatchTrace* trace = nullptr,
                     SearchScope scope = SearchScope::Full) const;

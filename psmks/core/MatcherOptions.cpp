@@ -1,8 +1,22 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/core/MatcherOptions.h>
 
+#include <sstream>
+
 namespace psmks
 {
+namespace
+{
+/** @param bound value of the option that the constraint names */
+[[noreturn]] void refuse(const char* key, double value, const char* constraint, double bound)
+{
+  std::ostringstream text;
+  text << "option '" << key << "': '" << value << "' is not accepted, allowed: " << constraint
+       << ", which is " << bound;
+  throw OptionError(text.str());
+}
+}  // namespace
+
 void MatcherOptions::choosePaperScheme()
 {
   constexpr int kMinRays = 4;
@@ -16,6 +30,23 @@ MatcherOptions MatcherOptions::paperScheme()
   MatcherOptions options;
   options.choosePaperScheme();
   return options;
+}
+
+void MatcherOptions::validate() const
+{
+  // A table takes longer to make than a match: there is one for each thread, bound to a copy.
+  thread_local MatcherOptions checked;
+  thread_local const OptionTable table = optionTable(checked);
+  checked = *this;
+  table.validate();
+  if (preprocessing.maxRange_m > 0 && preprocessing.maxRange_m <= preprocessing.minRange_m)
+    refuse("max_range_m", preprocessing.maxRange_m, "0, or above min_range_m",
+           preprocessing.minRange_m);
+  if (joint.agreedScore > joint.confidentScore)
+    refuse("agreed_score", joint.agreedScore, "at most confident_score", joint.confidentScore);
+  if (joint.unobservableSigma_m < joint.weakDirectionSigma_m)
+    refuse("unobservable_sigma_m", joint.unobservableSigma_m, "at least weak_direction_sigma_m",
+           joint.weakDirectionSigma_m);
 }
 
 OptionTable optionTable(MatcherOptions& options)

@@ -6,6 +6,8 @@
 #include <tests/support/Says.h>
 #include <tests/support/ThrownText.h>
 
+#include <cmath>
+#include <limits>
 #include <locale>
 
 namespace psmks
@@ -193,5 +195,24 @@ TEST_F(OptionTableTest, ALocaleWithADecimalCommaChangesNothing)
   std::locale::global(before);
   EXPECT_EQ(radius, "0.25");
   EXPECT_EQ(options.radius_m, 1.5);
+}
+
+TEST_F(Robot, ValuesThatCodeWroteAreHeldAgainstTheSameConstraints)
+{
+  EXPECT_NO_THROW(table.validate());
+  const auto refusal = [this]
+  { return test::thrownText<OptionError>([this] { table.validate(); }); };
+  options.radius_m = 2.5;
+  EXPECT_TRUE(test::says(refusal(), {"radius_m", "2.5", "0 to 2 m"}));
+  options.radius_m = std::nan("");
+  EXPECT_TRUE(test::says(refusal(), {"radius_m", "nan", "0 to 2 m"}));
+  options.radius_m = -std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(test::says(refusal(), {"radius_m", "-inf", "0 to 2 m"}));
+  options.radius_m = 2;
+  options.wheels = 9;
+  EXPECT_TRUE(test::says(refusal(), {"wheels", "9", "2 to 8"}));
+  options.wheels = 8;
+  options.shape = static_cast<Shape>(7);
+  EXPECT_TRUE(test::says(refusal(), {"shape", "7", "round | square"}));
 }
 }  // namespace psmks

@@ -1,8 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/core/MatcherOptions.h>
+#include <tests/support/Says.h>
+#include <tests/support/ThrownText.h>
 
 #include <cctype>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -75,5 +78,46 @@ TEST_F(MatcherOptionsTest, ThePaperSchemeIsAnotherSchemeLineFilterAndShortestSeg
   EXPECT_EQ(
       fieldsThatDiffer(table, optionTable(paper)),
       (std::set<std::string>{"matcher.scheme", "segmentation.filter", "segmentation.min_rays"}));
+}
+
+// What files and flags refuse, code may not set either.
+TEST_F(MatcherOptionsTest, ValuesOutOfRangeAreRefusedWithValueAndConstraint)
+{
+  const auto refusalOf = [](const MatcherOptions& changed)
+  { return test::thrownText<OptionError>([&] { changed.validate(); }); };
+  MatcherOptions changed;
+  EXPECT_NO_THROW(changed.validate());
+  changed.joint.confidentScore = 7;
+  EXPECT_TRUE(test::says(refusalOf(changed), {"confident_score", "7", "0 to 1"}));
+  changed = {};
+  changed.joint.distanceGate_m = -1;
+  EXPECT_TRUE(test::says(refusalOf(changed), {"distance_gate_m", "-1", "0.001 to 10 m"}));
+  changed = {};
+  changed.joint.searchAngle_rad = 0;
+  EXPECT_TRUE(test::says(refusalOf(changed), {"search_angle_deg", "0", "1 to 180 deg"}));
+  changed = {};
+  changed.segmentation.rangeSigma_m = std::nan("");
+  EXPECT_TRUE(test::says(refusalOf(changed), {"range_sigma_m", "nan"}));
+  changed = {};
+  changed.scheme = static_cast<Scheme>(2);
+  EXPECT_TRUE(test::says(refusalOf(changed), {"scheme", "2", "joint | paper"}));
+}
+
+TEST_F(MatcherOptionsTest, ValuesThatDoNotGoTogetherAreRefused)
+{
+  const auto refusalOf = [](const MatcherOptions& changed)
+  { return test::thrownText<OptionError>([&] { changed.validate(); }); };
+  MatcherOptions changed;
+  changed.preprocessing.minRange_m = 3;
+  EXPECT_NO_THROW(changed.validate()) << "a maximum of 0 is none";
+  changed.preprocessing.maxRange_m = 2;
+  EXPECT_TRUE(test::says(refusalOf(changed), {"max_range_m", "2", "above min_range_m", "3"}));
+  changed = {};
+  changed.joint.agreedScore = 0.95;
+  EXPECT_TRUE(test::says(refusalOf(changed), {"agreed_score", "0.95", "at most confident_score"}));
+  changed = {};
+  changed.joint.unobservableSigma_m = 0.01;
+  EXPECT_TRUE(test::says(refusalOf(changed),
+                         {"unobservable_sigma_m", "0.01", "at least weak_direction_sigma_m"}));
 }
 }  // namespace psmks

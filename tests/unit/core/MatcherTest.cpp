@@ -93,10 +93,12 @@ TEST_P(MatcherTest, AScanWithoutAValidRayIsInvalidInput)
 TEST_P(MatcherTest, AGuessThatMeansNothingIsInvalidInput)
 {
   const double nan = std::nan("");
+  Eigen::Matrix3d notSymmetric = Eigen::Matrix3d::Identity();
+  notSymmetric(0, 1) = 0.5;
   for (const Guess& guess :
        {Guess{{nan, 0, 0}, {}}, Guess{{0, INFINITY, 0}, {}},
         Guess{{}, Eigen::Matrix3d::Constant(nan)}, Guess{{}, Eigen::Matrix3d::Zero().eval()},
-        Guess{{}, (-Eigen::Matrix3d::Identity()).eval()}})
+        Guess{{}, (-Eigen::Matrix3d::Identity()).eval()}, Guess{{}, notSymmetric}})
   {
     const MatchResult result = match(office({}), office(kMotion, 2), guess);
     EXPECT_EQ(result.status, MatchStatus::InvalidInput);
@@ -202,5 +204,13 @@ TEST(Matcher, CeresWithoutItsSolversIsRefused)
   paper.paper.translationSolver = TranslationSolver::Ceres;
   for (const MatcherOptions& options : {joint, paper})
     EXPECT_TRUE(test::says(test::thrownText<OptionError>([&] { Matcher{options}; }), {"ceres"}));
+}
+
+TEST(Matcher, OptionsThatCodeSetOutOfRangeAreRefused)
+{
+  MatcherOptions options;
+  options.joint.acceptScore = 1.5;
+  EXPECT_TRUE(test::says(test::thrownText<OptionError>([&] { Matcher{options}; }),
+                         {"accept_score", "1.5", "0 to 1"}));
 }
 }  // namespace psmks
