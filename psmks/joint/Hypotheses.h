@@ -7,27 +7,28 @@
 
 namespace psmks
 {
-/** Limits of the search about a guess. */
+/** How far about a guess line pairs may vote, and how many headings are followed. */
 struct SearchLimits
 {
-  double radius_m;
-  double angle_rad;
-  int votedAngles;
+  double radius_m;   //!< greatest displacement along either axis of the reference
+  double angle_rad;  //!< greatest rotation to either side
+  int votedAngles;   //!< headings with most votes whose translations are voted for
 };
 
 /** A rotation that many pairs of segments agree on. */
 struct VotedAngle
 {
   double phi_rad;  //!< heading of the current frame in the reference frame
-  double votes;
+  double votes;    //!< lengths of the pairs of segments that agree on it, m
 };
 
-/** A pose worth a closer look. */
+/** A pose that a search proposes as the start of a refinement. */
 struct Hypothesis
 {
   Pose2 T_ref_cur;
-  double votes = 0;
-  double score = 0;
+  double votes = 0;  //!< lengths of the pairs of lines that agree on it, m, by HypothesisSearch; 0
+                     //!< where another search proposed the pose
+  double score = 0;  //!< see HypothesisScore
 };
 
 /** Votes of segment angles and of line intersections.

@@ -28,24 +28,26 @@ Hypothesis bestHeading(const HypothesisScore& hypothesisScore, const Pose2& T_re
   return best;
 }
 
-/** Of promises in a row the highest maxima, highest first, among those with a vote. */
+/** Of the scores in a row of places about a pose keeps the highest maxima, highest first, but for
+ * the pose itself and its two neighbours. */
 void keepPeaks(const AlongLimits& limits, std::vector<Hypothesis>& row)
 {
   double best = 0;
   for (const Hypothesis& place : row) best = std::max(best, place.score);
   const auto notAbove = [&](std::size_t i, double score)
   { return i >= row.size() || row[i].score <= score; };
+  const std::size_t middle = row.size() / 2;
   std::size_t peaks = 0;
   for (std::size_t i = 0; i < row.size(); ++i)
   {
     const double own = row[i].score;
     const bool isPeak = notAbove(i - 1, own) && notAbove(i + 1, own);
-    if (!isPeak || own <= best - limits.missedPromise) row[i].votes = 0;
-    peaks += row[i].votes > 0;
+    const bool isKnown = i + 1 >= middle && i <= middle + 1;
+    if (isPeak && !isKnown && own > best - limits.missedPromise) row[peaks++] = row[i];
   }
+  row.resize(peaks);
   std::sort(row.begin(), row.end(),
-            [](const Hypothesis& a, const Hypothesis& b)
-            { return a.votes != b.votes ? a.votes > b.votes : a.score > b.score; });
+            [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
   row.resize(std::min(peaks, limits.most));
 }
 }  // namespace
@@ -66,8 +68,6 @@ void findPlacesAlong(const HypothesisScore& hypothesisScore, const Pose2& T_ref_
     const bool isTurned = limits.turn_rad > 0 && std::abs(along_m) > kFar_m;
     places.push_back(isTurned ? bestHeading(hypothesisScore, place, limits.turn_rad)
                               : Hypothesis{place, 0, hypothesisScore.of(place)});
-    const bool isKnown = std::abs(k) <= 1;
-    places.back().votes = isKnown ? 0 : 1;
   }
   keepPeaks(limits, places);
 }
