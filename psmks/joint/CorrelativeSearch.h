@@ -8,26 +8,26 @@
 
 namespace psmks
 {
-/** How far about a guess, and how many places of the grid are followed. */
+/** The window of a grid search about a guess, and how many of its poses are followed. */
 struct CorrelativeLimits
 {
-  double radius_m, angle_rad;
-  std::size_t followed;
+  double radius_m, angle_rad;  //!< greatest displacement, and rotation to either side
+  std::size_t followed;        //!< best poses of the grid that are moved uphill
 };
 
-/** Poses far about a guess that nobody measured, or about a measured one of which lines know
- * nothing, found by trying a grid of them: where lines are few or short they vote for nothing, and
- * a scanner that moved by metres between two scans shares few of them. Coarse to fine: the best
- * poses of the grid are moved by ever smaller steps to where more rays lie on surfaces. */
+/** Proposes starts by scoring a grid of poses about a guess (correlative scan matching, coarse to
+ * fine). It finds what HypothesisSearch cannot: poses of scans whose lines are few or short, and
+ * far poses that share few lines with the reference. The grid has steps of 0.5 m and 6 degrees; its
+ * best poses are moved by ever smaller steps to where more rays lie on surfaces. */
 class CorrelativeSearch
 {
  public:
-  /** Replaces the hypotheses by these starts, those that explain most first; of those that lead to
-   * one place only the best. */
+  /** Replaces the hypotheses by at most twelve starts, those that explain most rays first. Of
+   * starts nearer to each other than 0.3 m and 5 degrees only the best is kept. */
   void propose(const ScanScores& scores, const Pose2& guess_T_ref_cur,
                const CorrelativeLimits& limits, std::vector<Hypothesis>& hypotheses);
 
-  /** Takes the memory of a search, so that none of this size takes more. */
+  /** Reserves the memory of a search of this size, so that none of at most this size allocates. */
   void reserve(double radius_m, double angle_rad);
 
  private:

@@ -7,9 +7,9 @@
 
 namespace psmks
 {
-/** How much a start promises before it is refined: its rough score, less where it is remote. Of
- * starts that explain the scans alike - a square room looks the same four ways - the one nearer the
- * guess goes first. */
+/** Ranks starts before they are refined: the rough free-space score, lowered by up to 0.05 at the
+ * limits of the search about the guess. Of starts that explain the scans alike - a square room
+ * looks the same four ways - the one nearer to the guess is refined first. */
 class HypothesisScore
 {
  public:
@@ -17,6 +17,7 @@ class HypothesisScore
   HypothesisScore(const ScanScores& scores, const Pose2& guess_T_ref_cur,
                   const JointOptions& options);
 
+  /** Score of a start, about 0 to 1; the higher the more promising. */
   double of(const Pose2& T_ref_cur) const;
 
  private:

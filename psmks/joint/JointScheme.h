@@ -7,18 +7,22 @@
 
 namespace psmks
 {
-/** Matches two scans by the joint scheme (docs/derivations.md):
+/** Matches two scans by the joint scheme (docs/derivations.md, "Search").
  *
- *  1. Refine the guess: associate lines and single rays, Gauss-Newton over x, y, theta, again with
- *     narrower gates.
- *  2. Score the result by free space. Where it is not convincing, let segment angles and line
- *     intersections vote for other starts and refine those, most promising first.
- *  3. Where the guess was not measured: try places along walls that leave the place open, search
- *     far from the guess where nothing near it holds, and put poses that few rays hold to the test.
- *  4. Accept the pose with the best score if that is high enough; find out what it and its
- *     rivals leave open.
+ *  1. The guess is refined where its rough score is promising: lines and single rays are associated
+ *     and Gauss-Newton solves for x, y and theta, in turn, with gates that narrow.
+ *  2. Where no pose is convincing (PoseVerifier), the poses that segment angles and line
+ *     intersections vote for are refined, and places along walls that leave the position open.
+ *  3. Where the best pose is doubtful, a grid of poses far from the guess is scored and its best
+ *     poses are refined. Where few rays hold the best pose, starts beside it are refined.
+ *  4. The pose with the best score is accepted if that is high enough, and JointConclusion settles
+ *     what the scans leave open, the covariance, and whether the guess is contradicted.
  *
- * @param scope NearGuess leaves the search far from the guess out of step 3
+ * Bad data never throws; MatchResult states what a result promises. Both scans have at least one
+ * valid ray, the guess is finite, and its covariance, if any, is positive definite: Matcher sees to
+ * it.
+ *
+ * @param scope NearGuess leaves out the grid of poses of step 3
  * @param external null unless options.solver is Ceres
  * @param trace may be null */
 MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedScan& current,

@@ -6,24 +6,27 @@
 
 namespace psmks
 {
-/** Gates of an association. */
+/** Limits within which lines and rays of two scans are associated, and the weight of single rays.
+ */
 struct PairingGates
 {
-  double distance_m;
-  double angle_rad;
-  double singleRayWeight;
+  double distance_m;                 //!< greatest distance between associated lines
+  double angle_rad;                  //!< greatest angle between associated lines
+  double singleRayWeight;            //!< of unsegmented rays, 0 to 1
   double unsegmentedRaySlack_m = 0;  //!< standard deviation added to the distances of single rays
-  bool fine = false;  //!< whether short lines and circles are paired, their rays then being none
+  bool fine = false;  //!< whether short lines and circles are paired too; their rays are then no
+                      //!< single rays
 };
 
 /** Associates lines, circles and single rays of two scans at a pose and appends them to a problem.
  *
  * Lines (paper, section 2.1): a current segment goes with every reference segment that it covers
  * when seen from the reference viewpoint, where both stand within the gates over the rays they
- * share and are seen from the same side. So do short
- * lines and circles where the gates ask for them; segments that are part of an arc then do not.
- * Single rays, in both directions: with the segment or
- * patch of the other scan at their bearing, of two at a boundary the nearer.
+ * share and are seen from the same side. Where PairingGates::fine is set, short lines and circles
+ * are paired in the same way, and segments that are part of an arc are not.
+ *
+ * Single rays of either scan go with the segment or surfel of the other scan at their bearing, and
+ * of two at a boundary with the nearer one.
  *
  * Differs from the paper: whole lines are compared with the covariances of both, instead of the
  * rays of one with the line of the other; the common error of a reference line is then counted

@@ -6,7 +6,8 @@
 
 namespace psmks
 {
-/** How well poses explain the rays of two scans by each other's surfaces. */
+/** Scores poses by how well each scan's surfaces explain the rays of the other (FreeSpaceScore.h).
+ */
 class ScanScores
 {
  public:
@@ -14,15 +15,17 @@ class ScanScores
    *  @param rangeSigma_m of the noisier scan */
   ScanScores(const ScanFeatures& reference, const ScanFeatures& current, double rangeSigma_m);
 
-  /** Cheap free-space score of a start that may be off by some centimetres: every fourth ray, one
-   * way. */
+  /** Free-space score, 0 to 1, of a start that may be off by some centimetres: every fourth ray of
+   * the current scan against the surfaces of the reference, with a tolerance of 15 cm. */
   double roughScore(const Pose2& T_ref_cur) const;
 
-  /** The same from few rays, with a tolerance of one's own. */
+  /** Free-space score, 0 to 1, of some 60 rays of the current scan against the surfaces of the
+   * reference, within a tolerance that the caller chooses. */
   double scoreWithin(const Pose2& T_ref_cur, double tolerance_m) const;
 
-  /** Rays of both scans against the surfaces of the other: of scans with many rays every second,
-   * every third, ..., for a share needs no more. */
+  /** Counts how the rays of either scan lie to the surfaces of the other, within the tolerance of
+   * their noise. Of a scan with many rays every second, third, ... is counted, so that some 180
+   * remain. */
   RayCounts allCounts(const Pose2& T_ref_cur) const;
 
   /** Rays of a scan that lie on surfaces of the other, mean of both scans.

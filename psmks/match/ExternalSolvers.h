@@ -10,9 +10,10 @@ namespace psmks
 struct JointProblem;
 struct TranslationProblem;
 
-/** Solvers from outside the core (Ceres) that can take the place of the closed form of the
- *  translation regression and of Gauss-Newton. They minimise the same cost over the same residuals,
- *  with the associations held fixed. */
+/** Interface of solvers from outside the core, such as Ceres, that replace the closed form of the
+ *  translation regression (paper's scheme) and Gauss-Newton (joint scheme). They minimise the same
+ *  cost over the same residuals, with the associations held fixed. Implementations serve several
+ *  threads at once. */
 class ExternalSolvers
 {
  public:
