@@ -1,6 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
+#include <psmks/geometry/ChiSquared.h>
 #include <psmks/joint/PoseVerifier.h>
+#include <psmks/joint/Refinement.h>
 #include <tests/unit/joint/JointScene.h>
 
 namespace psmks
@@ -187,5 +189,81 @@ TEST_F(PoseVerifierTest, ShortPiecesKnowTheDirectionOfNoWall)
   };
   EXPECT_FALSE(verifier.hasFewStraightLines(ofLength(2)));
   EXPECT_TRUE(verifier.hasFewStraightLines(ofLength(0.5)));
+}
+
+// ---- with a measured guess ----------------------------------------------------------------------
+
+namespace
+{
+/** What is said of a pose that the scans know to a millimetre or two, and that lies so many
+ * standard deviations of a guess, of 5 cm and 2 degrees, away from that guess in one coordinate. */
+struct VerdictAwayFromGuess
+{
+  VerdictAwayFromGuess(double sigmas, int coordinate)
+  {
+    constexpr double kGuessSigma_m = 0.05, kGuessSigma_rad = degToRad(2);
+    Pose2 truth;
+    if (coordinate == 0) truth.x_m = sigmas * kGuessSigma_m;
+    if (coordinate == 1) truth.y_m = -sigmas * kGuessSigma_m;
+    if (coordinate == 2) truth.phi_rad = sigmas * kGuessSigma_rad;
+    JointScene scene(officeRoom(), truth, BeamGrid::centered(2 * kPi, 720));
+    scene.measureGuess(kGuessSigma_m, kGuessSigma_rad);
+    JointMatch match = scene.match();
+    const RefinedPose pose = Refinement(match).refine(truth);
+    EXPECT_LT(pose.observability.weakSigma_m, 0.002);
+    const PoseVerifier verifier(match);
+    const JointOptions& o = scene.options;
+    convincesWithLess = verifier.isConvincing(withScore(pose, o.agreedScore));
+    convincesWithLessYet = verifier.isConvincing(withScore(pose, o.agreedScore - kALittle));
+    convinces = verifier.isConvincing(withScore(pose, o.confidentScore));
+    isAcceptedAtTheLimit = verifier.isAcceptable(withScore(pose, o.acceptScore));
+    isAccepted = verifier.isAcceptable(withScore(pose, 0.95));
+  }
+
+  bool convinces, convincesWithLess, convincesWithLessYet, isAccepted, isAcceptedAtTheLimit;
+};
+
+/** The scans' own sigma widens the ellipsoids of the guess by (2 mm / 5 cm)^2 / 2 = 0.1 %, and a
+ * pose is pulled by as much. */
+constexpr double kInside = 0.99, kOutside = 1.01;  // of a limit
+}  // namespace
+
+// The 95 % ellipsoid reaches to 2.8 standard deviations. Within, the guess is a second witness.
+TEST(PoseVerifierWithGuess, APoseThatAgreesWithTheGuessConvincesWithLess)
+{
+  const double limit = std::sqrt(kChi2At95With3Dof);
+  for (const int coordinate : {0, 1, 2})
+  {
+    const VerdictAwayFromGuess inside(kInside * limit, coordinate);
+    EXPECT_TRUE(inside.convincesWithLess) << coordinate;
+    EXPECT_FALSE(inside.convincesWithLessYet) << coordinate;
+    const VerdictAwayFromGuess outside(kOutside * limit, coordinate);
+    EXPECT_FALSE(outside.convincesWithLess) << coordinate;
+    EXPECT_TRUE(outside.convinces) << coordinate;
+  }
+}
+
+// The 99.9 % ellipsoid reaches to 4 standard deviations.
+TEST(PoseVerifierWithGuess, APoseThatContradictsTheGuessNeedsMoreToBeAccepted)
+{
+  const double limit = std::sqrt(kChi2At999With3Dof);
+  for (const int coordinate : {0, 1, 2})
+  {
+    EXPECT_TRUE(VerdictAwayFromGuess(kInside * limit, coordinate).isAcceptedAtTheLimit);
+    const VerdictAwayFromGuess outside(kOutside * limit, coordinate);
+    EXPECT_FALSE(outside.isAcceptedAtTheLimit) << coordinate;
+    EXPECT_TRUE(outside.isAccepted) << coordinate;
+  }
+}
+
+TEST_F(PoseVerifierTest, AMeasuredGuessTellsThePlaceAlongAWall)
+{
+  const RefinedPose sliding =
+      with(good_, [](RefinedPose& p) { p.observability.weakSigma_m = 0.5; });
+  const JointMatch start = scene_.match();
+  EXPECT_FALSE(PoseVerifier(start).isConvincing(sliding));
+  scene_.measureGuess(0.05, degToRad(2));
+  const JointMatch measured = scene_.match();
+  EXPECT_TRUE(PoseVerifier(measured).isConvincing(sliding));
 }
 }  // namespace psmks
