@@ -1,111 +1,104 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/core/Matcher.h>
-#include <tests/support/Scenes.h>
+#include <psmks/joint/CorrelativeSearch.h>
+#include <tests/support/PoseMatcher.h>
+#include <tests/unit/joint/JointScene.h>
+
+#include <algorithm>
 
 namespace psmks
 {
 namespace
 {
-// The room of castScan(officeRoom()): the scanner has gone 2.2 m and turned by 75 degrees, more
-// than is searched for about a guess; nobody measured how far.
+// The room of officeRoom(): the scanner has gone 2.2 m and turned by 75 degrees.
 const Pose2 kFar{1.4, 1.7, degToRad(75)};
+const BeamGrid kAround = BeamGrid::centered(2 * kPi, 360);
 
-MatchResult matchFar(const MatcherOptions& options)
-{
-  const BeamGrid grid = BeamGrid::centered(2 * kPi, 360);
-  MatcherWorkspace workspace;
-  return Matcher(options).match(castScan(officeRoom(), {}, grid),
-                                castScan(officeRoom(), kFar, grid), Guess{}, workspace);
-}
-}  // namespace
+/** The last steps are of 12 cm and 1.5 degrees: beside the best of them the truth may lie one step
+ * farther in x and in y, 17 cm away. From there the refinement, with gates of 20 cm, finds it. */
+const double kNear_m = 0.12 * std::sqrt(2), kNear_rad = degToRad(1.5);
 
-TEST(CorrelativeSearch, FindsWhatIsFartherThanTheSearchAboutTheGuess)
-{
-  const MatchResult result = matchFar({});
-  ASSERT_TRUE(result.usable()) << result.report();
-  EXPECT_LT((result.T_ref_cur.translation() - kFar.translation()).norm(), 0.01);
-  EXPECT_LT(std::abs(wrapAngle(result.T_ref_cur.phi_rad - kFar.phi_rad)), degToRad(0.2));
-}
-
-TEST(CorrelativeSearch, IsSwitchedOffByARadiusOfZero)
-{
-  MatcherOptions options;
-  options.joint.wideRadius_m = 0;
-  const MatchResult result = matchFar(options);
-  EXPECT_TRUE(!result.usable() ||
-              (result.T_ref_cur.translation() - kFar.translation()).norm() > 0.5)
-      << result.report();
-}
-
-TEST(CorrelativeSearch, FindsTheRobotWhereItsWheelsSlipped)
-{
-  // The wheels say that it stood still, to 3 cm and 2 degrees; it was pushed about.
-  const Pose2 pushed{0.4, 0.3, degToRad(75)};
-  const BeamGrid grid = BeamGrid::centered(2 * kPi, 360);
-  const Eigen::Vector3d sigma(0.03, 0.03, degToRad(2));
-  Guess guess;
-  guess.covariance = sigma.cwiseAbs2().asDiagonal();
-  const Scan reference = castScan(officeRoom(), {}, grid);
-  const Scan current = castScan(officeRoom(), pushed, grid);
-  MatcherWorkspace workspace;
-  const MatchResult result = Matcher().match(reference, current, guess, workspace);
-  ASSERT_TRUE(result.usable()) << result.report();
-  EXPECT_LT((result.T_ref_cur.translation() - pushed.translation()).norm(), 0.01);
-  EXPECT_LT(std::abs(wrapAngle(result.T_ref_cur.phi_rad - pushed.phi_rad)), degToRad(0.2));
-}
-
-//        .     .           small boxes of a hand's breadth to 45 cm about a scanner that sees half
-//    '      o      .       round: hardly any is seen by enough rays to be a line that votes
-//       .       '
-class WideSearchAmongBoxes : public testing::Test
+class CorrelativeSearchTest : public testing::Test
 {
  protected:
-  static std::vector<Wall> boxes()
+  std::vector<Hypothesis> startsAbout(const Pose2& guess, const CorrelativeLimits& limits)
   {
-    constexpr int kBoxes = 9;
-    std::mt19937 rng(5);
-    std::uniform_real_distribution<double> share(0, 1);
-    std::vector<Wall> walls;
-    for (int k = 0; k < kBoxes; ++k)
-    {
-      const double bearing_rad = 2 * kPi * (k + share(rng)) / kBoxes;
-      const double distance_m = 1.5 + 4 * share(rng), length_m = 0.25 + 0.2 * share(rng);
-      const Eigen::Vector2d centre_m(distance_m * std::cos(bearing_rad),
-                                     distance_m * std::sin(bearing_rad));
-      for (const Wall& wall : box(centre_m, length_m, 0.25, 3 * share(rng))) walls.push_back(wall);
-    }
-    return walls;
+    std::vector<Hypothesis> starts{{{99, 99, 99}, 1, 1}};  // of an earlier search
+    search_.propose(scene_.scores(), guess, limits, starts);
+    return starts;
   }
 
-  /** From a guess that was measured, with 15 cm and 12 degrees, and is wrong by more. */
-  MatchResult match(SearchScope scope) const
-  {
-    const BeamGrid grid = BeamGrid::centered(kPi, 181);
-    constexpr double kReach_m = 8, kSigma_m = 0.01;
-    std::mt19937 noise(5);
-    const Scan reference = castScan(boxes(), {}, grid, kReach_m, kSigma_m, noise);
-    const Scan current = castScan(boxes(), kMoved, grid, kReach_m, kSigma_m, noise);
-    Guess guess;
-    const Eigen::Vector3d sigma(0.15, 0.15, degToRad(12));
-    guess.covariance = sigma.cwiseAbs2().asDiagonal();
-    MatcherWorkspace workspace;
-    return Matcher().match(reference, current, guess, workspace, nullptr, scope);
-  }
-
-  const Pose2 kMoved{0.15, 0.1, degToRad(20)};
+  JointScene scene_{officeRoom(), kFar, kAround};
+  CorrelativeSearch search_;
+  static constexpr CorrelativeLimits kWide{3, degToRad(120), 80};
 };
+}  // namespace
 
-TEST_F(WideSearchAmongBoxes, FindsWhatNoLineVotesForAboutAMeasuredGuess)
+TEST_F(CorrelativeSearchTest, TheStartThatExplainsMostIsTheTruth)
 {
-  const MatchResult result = match(SearchScope::Full);
-  ASSERT_TRUE(result.usable()) << result.report();
-  EXPECT_LT((result.T_ref_cur.translation() - kMoved.translation()).norm(), 0.02);
-  EXPECT_LT(std::abs(wrapAngle(result.T_ref_cur.phi_rad - kMoved.phi_rad)), degToRad(0.5));
+  for (const Pose2& guess : {Pose2{}, Pose2{0.27, 0.38, degToRad(-20)}, Pose2{-0.6, 0.9, 2}})
+  {
+    const std::vector<Hypothesis> starts = startsAbout(guess, kWide);
+    ASSERT_FALSE(starts.empty());
+    EXPECT_TRUE(isNearly(starts[0].T_ref_cur, kFar, kNear_m, kNear_rad));
+  }
 }
 
-TEST_F(WideSearchAmongBoxes, IsNotMadeNearTheGuess)
+TEST_F(CorrelativeSearchTest, StartsComeInTheOrderOfTheirScores)
 {
-  EXPECT_FALSE(match(SearchScope::NearGuess).usable());
+  const std::vector<Hypothesis> starts = startsAbout({}, kWide);
+  ASSERT_GT(starts.size(), 1U);
+  EXPECT_TRUE(std::is_sorted(starts.begin(), starts.end(),
+                             [](const Hypothesis& a, const Hypothesis& b)
+                             { return a.score > b.score; }));
+}
+
+// Two starts within the gates of the refinement would lead to one pose.
+TEST_F(CorrelativeSearchTest, NoTwoStartsLeadToOnePlace)
+{
+  const std::vector<Hypothesis> starts = startsAbout({}, kWide);
+  for (const Hypothesis& a : starts)
+    for (const Hypothesis& b : starts)
+      EXPECT_TRUE(&a == &b || !isNearly(a.T_ref_cur, b.T_ref_cur, 0.2, degToRad(4)));
+}
+
+// From the grid a start moves on to where it scores best, by at most one spacing of 0.5 m and 6
+// degrees.
+TEST_F(CorrelativeSearchTest, StartsAreWithinTheLimitsAboutTheGuess)
+{
+  const Pose2 guess{0.2, -0.3, degToRad(175)};
+  const CorrelativeLimits narrow{1, degToRad(30), 80};
+  for (const Hypothesis& start : startsAbout(guess, narrow))
+  {
+    const Pose2& T = start.T_ref_cur;
+    EXPECT_LE((T.translation() - guess.translation()).norm(), narrow.radius_m + 0.5 * std::sqrt(2));
+    EXPECT_LE(std::abs(wrapAngle(T.phi_rad - guess.phi_rad)), narrow.angle_rad + degToRad(6));
+  }
+}
+
+TEST_F(CorrelativeSearchTest, ARadiusOfZeroTriesHeadingsAlone)
+{
+  for (const Hypothesis& start : startsAbout({}, {0, degToRad(120), 80}))
+    EXPECT_LE(start.T_ref_cur.translation().norm(), 0.5 * std::sqrt(2));
+}
+
+TEST_F(CorrelativeSearchTest, NoMoreStartsComeThanPlacesAreFollowed)
+{
+  EXPECT_LE(startsAbout({}, {3, degToRad(120), 2}).size(), 2U);
+  EXPECT_TRUE(startsAbout({}, {3, degToRad(120), 0}).empty());
+}
+
+// One match through all steps, which the parts alone do not hold: the wide search is made where
+// nothing near the guess is found, and leads to the pose.
+TEST(CorrelativeSearch, FindsWhatIsFartherThanTheSearchAboutTheGuess)
+{
+  MatcherWorkspace workspace;
+  const MatchResult result =
+      Matcher().match(castScan(officeRoom(), {}, kAround), castScan(officeRoom(), kFar, kAround),
+                      Guess{}, workspace);
+  ASSERT_TRUE(result.usable()) << result.report();
+  // The scans are exact: what is left is the rounding of the search's steps.
+  EXPECT_TRUE(isNearly(result.T_ref_cur, kFar, 0.01, degToRad(0.2))) << result.report();
 }
 }  // namespace psmks
