@@ -55,11 +55,11 @@ constexpr double kBendOfNoise = 0.75;
 /** A circle while it is fitted. */
 struct Fit
 {
-  Eigen::Vector2d centre_m;
-  double radius_m;
+  Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
+  double radius_m = 0;
   Eigen::Matrix3d information;  //!< of (centre, radius)
   Eigen::Vector3d gradient;     //!< information * gradient is the step to the minimum
-  double chi2;
+  double chi2 = 0;
 };
 
 /** Sums of the regression x = f + a y + k q with q = (x^2 + y^2) / 2 over the points of a run,

@@ -2,6 +2,7 @@
 #include <psmks/features/FreeSpaceScore.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace psmks
@@ -55,8 +56,8 @@ class PointBlock
       y_[size_] = points.y_m[first];
       movable_[size_] = points.movable[first];
     }
-    std::fill(x_ + size_, x_ + kCapacity, 1.0f);
-    std::fill(y_ + size_, y_ + kCapacity, 0.0f);
+    std::fill(x_.begin() + size_, x_.end(), 1.0f);
+    std::fill(y_.begin() + size_, y_.end(), 0.0f);
     return first;
   }
 
@@ -106,9 +107,9 @@ class PointBlock
   }
 
  private:
-  float x_[kCapacity], y_[kCapacity];
-  int cell_[kCapacity];
-  std::uint8_t movable_[kCapacity];
+  std::array<float, kCapacity> x_, y_;
+  std::array<int, kCapacity> cell_;
+  std::array<std::uint8_t, kCapacity> movable_;
   std::size_t size_ = 0;
 };
 }  // namespace

@@ -3,6 +3,7 @@
 
 namespace psmks
 {
+// NOLINTNEXTLINE(readability-function-size): one line an option
 void listFields(OptionTable& table, PaperOptions& o)
 {
   table.beginSection("paper", "The paper's scheme: association, orientation search, translation.");

@@ -41,7 +41,7 @@ class PoseObjective
   /** An orientation that the search tried, and its value. */
   struct Trial
   {
-    double phi_rad;
+    double phi_rad = 0;
     Value value;
   };
 

@@ -114,6 +114,7 @@ NormalSums accumulate(const RaySoA& rays, const RayRange& range, const LineStart
     const Lanes t = (sine * c0 - cosine * s0) * inverse;
     const Lanes expected_m = line.r0_m * inverse;
     const Lanes residual_m = lanes(rays.range_m, p) - expected_m;
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): changed where noise grows.
     Lanes weight = counts;
     if constexpr (kGrows) weight *= (1 + growth_1_m2 * expected_m.square()).rsqrt();
     sums.add(inverse * weight, t, residual_m * weight);

@@ -80,9 +80,9 @@ class LineGrowing
   /** A place of the corner between two lines, with the sums of both. */
   struct Split
   {
-    int at;  //!< first position of the right line
+    int at = 0;  //!< first position of the right line
     LineInformation left, right;
-    double chi2_m2;  //!< sum over both lines
+    double chi2_m2 = 0;  //!< sum over both lines
   };
 
   void contest(int left, int right);

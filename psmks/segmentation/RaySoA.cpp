@@ -11,7 +11,7 @@ namespace
  * last, and ends in a block of zeros. */
 void copyFrom(const double* source, int count, int first, std::vector<double>& column)
 {
-  column.resize(static_cast<std::size_t>(count + RaySoA::kBlock));
+  column.resize(static_cast<std::size_t>(count) + RaySoA::kBlock);
   const auto rest = std::copy(source + first, source + count, column.begin());
   std::fill(std::copy(source, source + first, rest), column.end(), 0.0);
 }
