@@ -1,15 +1,14 @@
-# MRPT 3 (packages mrpt_slam, ...) or MRPT 2 (packages mrpt-slam, ...) under one set of names:
+# find_package(PsmksMrpt COMPONENTS slam [gui]): MRPT 3 (packages mrpt_slam, ...) or MRPT 2 (packages
+# mrpt-slam, ...) under one set of names:
 #
 #   psmks_mrpt_slam   matching, maps, observations, poses
 #   psmks_mrpt_gui    3D windows
 #
 # Installed beside psmksConfig.cmake, because psmks::psmks links psmks_mrpt_slam.
 
-set(PsmksMrpt_modules slam gui)
-
 macro(psmks_find_mrpt_generation separator)
   set(PsmksMrpt_generation_complete TRUE)
-  foreach(module IN LISTS PsmksMrpt_modules)
+  foreach(module IN LISTS PsmksMrpt_FIND_COMPONENTS)
     find_package(mrpt${separator}${module} QUIET)
     if(NOT mrpt${separator}${module}_FOUND)
       set(PsmksMrpt_generation_complete FALSE)
@@ -37,7 +36,7 @@ find_package_handle_standard_args(PsmksMrpt
 on Debian: apt install libmrpt-dev")
 
 if(PsmksMrpt_FOUND)
-  foreach(module IN LISTS PsmksMrpt_modules)
+  foreach(module IN LISTS PsmksMrpt_FIND_COMPONENTS)
     if(NOT TARGET psmks_mrpt_${module})
       add_library(psmks_mrpt_${module} INTERFACE IMPORTED)
       set_property(TARGET psmks_mrpt_${module} PROPERTY

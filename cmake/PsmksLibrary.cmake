@@ -1,9 +1,14 @@
 # A library of psmks, made of folders below psmks/: its target, the alias psmks::<name>, the include path
-# <psmks/...>, C++17, warnings, and its installation with the headers that lie beside its sources.
+# <psmks/...>, C++17 and warnings.
 #
-#   psmks_add_library(core STATIC FOLDERS geometry base)     # target psmks_core, psmks::core
+#   psmks_add_library(eval STATIC FOLDERS eval)                    # target psmks_eval, psmks::eval
+#   psmks_add_library(core STATIC FOLDERS geometry core
+#     COMPONENT core PUBLIC_HEADERS geometry/Scan.h core/Matcher.h)
+#
+# With a COMPONENT it is installed, found by find_package(psmks COMPONENTS <component>), and of its headers
+# those that are listed are installed with it. Without one it serves the programs and tests of psmks alone.
 function(psmks_add_library name kind)
-  cmake_parse_arguments(LIBRARY "" "TARGET" "FOLDERS" ${ARGN})
+  cmake_parse_arguments(LIBRARY "" "TARGET;COMPONENT" "FOLDERS;PUBLIC_HEADERS" ${ARGN})
   set(target psmks_${name})
   if(LIBRARY_TARGET)
     set(target ${LIBRARY_TARGET})
@@ -23,15 +28,37 @@ function(psmks_add_library name kind)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   psmks_target_warnings(${target})
+  if(LIBRARY_COMPONENT)
+    psmks_install_library(${target} ${LIBRARY_COMPONENT} ${LIBRARY_PUBLIC_HEADERS})
+  endif()
+endfunction()
 
+# psmks_install_library(target component headers...): the headers by their paths below psmks/.
+function(psmks_install_library target component)
   install(TARGETS ${target}
-    EXPORT psmksTargets
+    EXPORT psmks-${component}-targets
+    COMPONENT ${component}
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  foreach(folder IN LISTS LIBRARY_FOLDERS)
-    install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/"
-      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/psmks/${folder}
-      FILES_MATCHING PATTERN "*.h")
+  install(EXPORT psmks-${component}-targets
+    NAMESPACE psmks::
+    COMPONENT ${component}
+    DESTINATION ${psmks_package_dir})
+  foreach(header IN LISTS ARGN)
+    get_filename_component(folder "${header}" DIRECTORY)
+    install(FILES "${PROJECT_SOURCE_DIR}/psmks/${header}"
+      COMPONENT ${component}
+      DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/psmks/${folder})
   endforeach()
+endfunction()
+
+# A program of psmks: its version, its warnings, and its installation. `cmake --install` takes the programs
+# that were built and passes over the others.
+function(psmks_add_program name)
+  add_executable(${name} ${ARGN})
+  target_compile_definitions(${name} PRIVATE PSMKS_VERSION="${PROJECT_VERSION}")
+  psmks_target_warnings(${name})
+  install(TARGETS ${name}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs OPTIONAL)
 endfunction()

@@ -3,7 +3,6 @@
 
 #include <psmks/core/MatcherOptions.h>
 #include <psmks/geometry/Scan.h>
-#include <psmks/match/ExternalSolvers.h>
 #include <psmks/match/Guess.h>
 #include <psmks/match/MatchResult.h>
 #include <psmks/match/MatchTrace.h>
@@ -15,6 +14,8 @@
 
 namespace psmks
 {
+class ExternalSolvers;
+
 /** The memory that a Matcher works in, kept from one match to the next so that a further match with
  * scans of the same size allocates nothing. It holds no state: what a match returns does not depend
  * on the matches before. One workspace serves one thread at a time; it may serve several matchers.
