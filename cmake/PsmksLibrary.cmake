@@ -28,6 +28,7 @@ function(psmks_add_library name kind)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   psmks_target_warnings(${target})
+  psmks_target_unity(${target})
   if(LIBRARY_COMPONENT)
     psmks_install_library(${target} ${LIBRARY_COMPONENT} ${LIBRARY_PUBLIC_HEADERS})
   endif()
@@ -59,6 +60,14 @@ function(psmks_add_program name)
   add_executable(${name} ${ARGN})
   target_compile_definitions(${name} PRIVATE PSMKS_VERSION="${PROJECT_VERSION}")
   psmks_target_warnings(${name})
+  psmks_target_unity(${name})
   install(TARGETS ${name}
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs OPTIONAL)
+endfunction()
+
+# Compiles the sources of a target a dozen at a time where PSMKS_UNITY_BUILD asks for it: the whole of psmks
+# in half the time, one file after a change in more. Names in unnamed namespaces have to differ then.
+function(psmks_target_unity target)
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD ${PSMKS_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE 12)
 endfunction()
