@@ -2,6 +2,7 @@
 #include <tests/laws/Schemes.h>
 
 #include <Eigen/Cholesky>
+#include <cstdlib>
 #include <limits>
 
 namespace psmks
@@ -10,6 +11,16 @@ namespace
 {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/** How many scans are tried. PSMKS_FUZZ_SCANS in the environment replaces the number, for
+ * sanitizers are slow.
+ */
+int scansToTry()
+{
+  constexpr int kScans = 1000;
+  const char* fewer = std::getenv("PSMKS_FUZZ_SCANS");
+  return fewer ? std::atoi(fewer) : kScans;
+}
 
 /** Random scans with all kinds of errors that no scanner should deliver. */
 class BadScans
@@ -109,10 +120,10 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Fuzz, testing::ValuesIn(bothSchemes()), scheme
 
 TEST_P(Fuzz, BadScansNeitherThrowNorGiveNan)
 {
-  constexpr int kScans = 1000;
+  const int count = scansToTry();
   BadScans scans(random_);
   Scan reference = scans.next();
-  for (int i = 0; i < kScans; ++i)
+  for (int i = 0; i < count; ++i)
   {
     const Scan current = scans.next();
     const Guess guess = randomGuess();
