@@ -37,8 +37,8 @@ class ScanMatcher : public mrpt::slam::CMetricMapsAlignmentAlgorithm, public mrp
    *  - goodness: 0 to 1, and 0 on failure. 0.4, the threshold that MRPT's map builders use, stands
    *    for a score of `joint.accept_score`, and 1 for a score of 1: every ray is explained by the
    *    other scan.
-   *  - quality: the goodness, but 0 where match.status is Degenerate: the scans leave a direction or
-   *    the heading open, as in a corridor, or fit elsewhere as well. */
+   *  - quality: the goodness, but 0 where match.status is Degenerate: the scans leave a direction
+   * or the heading open, as in a corridor, or fit elsewhere as well. */
   struct ReturnInfo : public mrpt::slam::CICP::TReturnInfo
   {
     /** The match in the frames of the two sensors, see SensorMounting, or of the two viewpoints
