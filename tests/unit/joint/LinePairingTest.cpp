@@ -111,7 +111,9 @@ TEST(LinePairing, TheSeamIsNoEdge)
     JointProblem problem;
     const int associations = scene.pair(scene.T_ref_cur, problem);
     EXPECT_EQ(problem.linePairs.size(), 4u) << "turned by " << turn_deg << " deg";
-    EXPECT_GT(associations, 320) << "turned by " << turn_deg << " deg";
+    // A wall is shared over the rays of the reference that lie on it as the current scan sees it:
+    // all 360 but one or two at either end of each wall.
+    EXPECT_GE(associations, 360 - 4 * 2 * 2) << "turned by " << turn_deg << " deg";
     expectAllOfOneWall(problem, scene.T_ref_cur);
   }
 }
