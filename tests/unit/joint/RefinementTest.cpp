@@ -120,7 +120,7 @@ TEST(Refinement, WithoutAPairOfLinesTheAngleIsNotKnown)
 // not widen with the noise would leave of them what happens to fit. How many rays can be paired at
 // all is what the association finds at the true pose with gates that are wide open. By its own
 // gate, of 1.5 sigma, it may lose a pair where a line is short; but for one ray in eight it must
-// keep them.(Measured: 0.93 are kept.)
+// keep them. (Measured: 0.93 are kept.)
 TEST(Refinement, KeepsTheWallsOfANoisyScan)
 {
   const std::vector<Wall> hall = outline({{-6, -6}, {6, -6}, {6, 0}, {14, 0}, {14, 6}, {-6, 6}});
