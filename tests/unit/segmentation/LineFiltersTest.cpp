@@ -57,7 +57,7 @@ class LineFilters : public testing::Test
 {
 };
 using Filters = testing::Types<LinearLineFilter, PolarLineFilter>;
-TYPED_TEST_SUITE(LineFilters, Filters);
+TYPED_TEST_SUITE(LineFilters, Filters, );
 }  // namespace
 
 // The innovation of the next ray is as large as the filter says: within one standard deviation in
