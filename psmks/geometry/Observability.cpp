@@ -66,7 +66,7 @@ Observability observabilityAtHeading(const Eigen::Matrix3d& information)
   return observability(position);
 }
 
-Eigen::Vector2d positionPerHeading(const Eigen::Matrix3d& information)
+Eigen::Vector2d positionPerHeading(const Eigen::Matrix3d& information, double weakestSigma_m)
 {
   constexpr double kRounding = 1e-9;  // beside the larger eigenvalue this is no information
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> position(information.topLeftCorner<2, 2>());
@@ -75,16 +75,18 @@ Eigen::Vector2d positionPerHeading(const Eigen::Matrix3d& information)
   {
     const double known = position.eigenvalues()[i];
     if (!(known > kRounding * position.eigenvalues()[1])) continue;
+    if (known * weakestSigma_m * weakestSigma_m < 1) continue;
     const Eigen::Vector2d axis = position.eigenvectors().col(i);
     perHeading -= axis * (axis.dot(information.topRightCorner<2, 1>()) / known);
   }
   return perHeading;
 }
 
-Pose2 turnedTo(double phi_rad, const Pose2& T_ref_cur, const Eigen::Matrix3d& information)
+Pose2 turnedTo(double phi_rad, const Pose2& T_ref_cur, const Eigen::Matrix3d& information,
+               double weakestSigma_m)
 {
   // A turn about the pivot moves the position by J (t - pivot) per radian, J a quarter turn.
-  const Eigen::Vector2d perHeading = positionPerHeading(information);
+  const Eigen::Vector2d perHeading = positionPerHeading(information, weakestSigma_m);
   const Eigen::Vector2d fromPivot_m(perHeading.y(), -perHeading.x());
   const Eigen::Vector2d pivot_m = T_ref_cur.translation() - fromPivot_m;
   const Pose2 turn{0, 0, wrapAngle(phi_rad - T_ref_cur.phi_rad)};

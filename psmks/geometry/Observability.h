@@ -4,6 +4,7 @@
 #include <psmks/geometry/Pose2.h>
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace psmks
 {
@@ -30,11 +31,16 @@ Observability observability(const Eigen::Matrix3d& information);
 Observability observabilityAtHeading(const Eigen::Matrix3d& information);
 
 /** How the position that suits a heading best moves with it, in m/rad: -H_tt^-1 H_tphi. Zero along
- * a direction in which H_tt fixes no position. */
-Eigen::Vector2d positionPerHeading(const Eigen::Matrix3d& information);
+ * a direction in which H_tt fixes no position.
+ *  @param weakestSigma_m zero also along a direction in which the position, at a given heading, has
+ *      a larger standard deviation: what hardly fixes a position does not say how it moves */
+Eigen::Vector2d positionPerHeading(const Eigen::Matrix3d& information,
+                                   double weakestSigma_m = std::numeric_limits<double>::infinity());
 
 /** A pose turned to a heading as the scans leave it open: about the point of the reference frame
  * about which a turn changes least of what they fix, so that positionPerHeading() is its
- * derivative. */
-Pose2 turnedTo(double phi_rad, const Pose2& T_ref_cur, const Eigen::Matrix3d& information);
+ * derivative.
+ *  @param weakestSigma_m see positionPerHeading() */
+Pose2 turnedTo(double phi_rad, const Pose2& T_ref_cur, const Eigen::Matrix3d& information,
+               double weakestSigma_m);
 }  // namespace psmks

@@ -25,8 +25,9 @@ UncertainPose composed(const UncertainPose& T_a_b, const UncertainPose& T_b_c);
 UncertainPose seenFrom(const UncertainPose& T_a_b, const UncertainPose& T_a_c);
 
 /** Covariance of the best estimate of a pose from a guess and from independent scans,
- * (guess^-1 + information)^-1; positive definite also where the scans say nothing of a direction
- * and the guess next to nothing.
+ * (guess^-1 + information)^-1. It is positive definite also where the scans say nothing of a
+ * direction, for variances of the guess up to 1e6 m^2: beyond that a double keeps no digit of what
+ * the scans know across that direction.
  *  @param guess positive definite
  *  @param information of the scans, positive semidefinite */
 Eigen::Matrix3d fusedCovariance(const Eigen::Matrix3d& guess, const Eigen::Matrix3d& information);

@@ -59,8 +59,8 @@ void JointConclusion::settleHeading()
       accepted_.observability.headingSigma_rad > match_.options.weakHeadingSigma_rad;
   if (!isWeak && !(verifier_.hasFewStraightLines(accepted_) && isHeadingOpen())) return;
   const double guess_rad = match_.guess.T_ref_cur.phi_rad;
-  const RefinedPose atGuess =
-      refinement_.refine(turnedTo(guess_rad, accepted_.T_ref_cur, accepted_.scans.H));
+  const RefinedPose atGuess = refinement_.refine(
+      turnedTo(guess_rad, accepted_.T_ref_cur, accepted_.scans.H, match_.unobservableSigma_m()));
   const bool isAdmitted = explainsAsMuch(atGuess);
   if (isAdmitted) accepted_ = atGuess;
   if (isAdmitted || isWeak) takeHeadingOfGuess();
@@ -99,8 +99,8 @@ void JointConclusion::takeHeadingOfGuess()
   result_.headingUnobservable = true;
   turned_.reset();
   scans_ = withoutHeading(accepted_.scans);
-  result_.T_ref_cur =
-      turnedTo(match_.guess.T_ref_cur.phi_rad, accepted_.T_ref_cur, accepted_.scans.H);
+  result_.T_ref_cur = turnedTo(match_.guess.T_ref_cur.phi_rad, accepted_.T_ref_cur,
+                               accepted_.scans.H, match_.unobservableSigma_m());
 }
 
 /** A direction in which the position is known badly is flagged; in which it is hardly known, the

@@ -170,8 +170,8 @@ class PaperMatch
   {
     result_.status = MatchStatus::Degenerate;
     result_.headingUnobservable = true;
-    result_.T_ref_cur =
-        turnedTo(guess_.T_ref_cur.phi_rad, result_.T_ref_cur, buffers_.covariance.information());
+    result_.T_ref_cur = turnedTo(guess_.T_ref_cur.phi_rad, result_.T_ref_cur,
+                                 buffers_.covariance.information(), options_.weakDirectionSigma_m);
   }
 
   /** Adds an error of the heading, and of the position that goes with it. */
@@ -179,7 +179,7 @@ class PaperMatch
   {
     if (!(variance_rad2 > 0)) return;
     Eigen::Vector3d turn;
-    turn << positionPerHeading(buffers_.covariance.information()), 1;
+    turn << positionPerHeading(buffers_.covariance.information(), options_.weakDirectionSigma_m), 1;
     result_.covariance += variance_rad2 * turn * turn.transpose();
   }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <limits>
 
 namespace psmks
 {
@@ -102,12 +103,26 @@ TEST(Observability, ATurnToAnotherHeadingKeepsWhatTheScansFix)
   J << Eigen::Matrix2d::Identity(), T_ref_cur.rotationDerivative() * q_m;
   const Eigen::Matrix3d H = 1e4 * J.transpose() * J;
   EXPECT_LT((positionPerHeading(H) + J.col(2)).norm(), 1e-12);
+  constexpr double kAnySigma_m = std::numeric_limits<double>::infinity();
   for (const double phi_rad : {-2., 0., 0.4, 3.})
   {
-    const Pose2 turned = turnedTo(phi_rad, T_ref_cur, H);
+    const Pose2 turned = turnedTo(phi_rad, T_ref_cur, H, kAnySigma_m);
     EXPECT_EQ(turned.phi_rad, phi_rad);
     EXPECT_LT((turned.rotation() * q_m + turned.translation() - p_m).norm(), 1e-9) << phi_rad;
   }
+}
+
+// The position is fixed well along y and hardly along x, to 1 m, where the heading seems to move it
+// by 40 m a radian: a turn leaves it where it is along x.
+TEST(Observability, ATurnMovesNothingAlongADirectionThatIsHardlyFixed)
+{
+  Eigen::Matrix3d H = Eigen::Vector3d(1, 1e4, 1e4).asDiagonal();
+  H(0, 2) = H(2, 0) = -40;
+  H(1, 2) = H(2, 1) = -2e4;
+  EXPECT_LT((positionPerHeading(H) - Eigen::Vector2d(40, 2)).norm(), 1e-9);
+  EXPECT_LT((positionPerHeading(H, 0.05) - Eigen::Vector2d(0, 2)).norm(), 1e-9);
+  const Pose2 turned = turnedTo(0.1, {}, H, 0.05);
+  EXPECT_LT(turned.translation().norm(), 0.21);
 }
 
 TEST(Observability, AtAHeadingTwoWallsFixThePositionAndOneDoesNot)
