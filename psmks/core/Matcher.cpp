@@ -33,7 +33,9 @@ bool needsExternalSolvers(const MatcherOptions& options)
 
 bool isPositiveDefinite(const Eigen::Matrix3d& covariance)
 {
-  constexpr double kRounding = 1e-9;  // of the largest element
+  /** Share of the largest element by which a covariance may be asymmetric. Unit: share. Definition:
+   * the rounding of the doubles from which both halves are computed. */
+  constexpr double kRounding = 1e-9;
   const double asymmetry = (covariance - covariance.transpose()).cwiseAbs().maxCoeff();
   return covariance.allFinite() && asymmetry <= kRounding * covariance.cwiseAbs().maxCoeff() &&
          covariance.llt().info() == Eigen::Success;

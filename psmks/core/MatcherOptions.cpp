@@ -19,6 +19,9 @@ namespace
 
 void MatcherOptions::choosePaperScheme()
 {
+  /** Fewest rays of a segment in the paper's scheme. Unit: rays. Evidence: what is on no segment is
+   * not matched in that scheme; with 6 rays one match of nine among poles and curves has fewer than
+   * the 30 rays that a match needs. */
   constexpr int kMinRays = 4;
   scheme = Scheme::Paper;
   segmentation.filter = LineFilter::Ekf;

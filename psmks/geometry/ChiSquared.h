@@ -18,6 +18,8 @@ constexpr double kChi2At999With3Dof = 16.26623620;
 /** The value that is exceeded with a probability of 5 %, for 1 to 3 degrees of freedom. */
 constexpr double chi2At95(int degreesOfFreedom)
 {
+  /** Squared Mahalanobis radii. Unit: chi2. Definition: the 0.95 quantiles of the chi-squared
+   * distribution with 1 to 3 degrees of freedom. */
   constexpr double kQuantiles[] = {3.841458821, kChi2At95With2Dof, kChi2At95With3Dof};
   return kQuantiles[degreesOfFreedom - 1];
 }
@@ -25,6 +27,8 @@ constexpr double chi2At95(int degreesOfFreedom)
 /** The value that is exceeded with a probability of 0.1 %, for 1 to 3 degrees of freedom. */
 constexpr double chi2At999(int degreesOfFreedom)
 {
+  /** Squared Mahalanobis radii. Unit: chi2. Definition: the 0.999 quantiles of the chi-squared
+   * distribution with 1 to 3 degrees of freedom. */
   constexpr double kQuantiles[] = {10.82756617, 13.81551056, kChi2At999With3Dof};
   return kQuantiles[degreesOfFreedom - 1];
 }

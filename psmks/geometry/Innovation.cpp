@@ -24,7 +24,10 @@ Innovation innovation(const UncertainPose& guess, const Pose2& T_ref_cur,
   // In coordinates z = L^-1 (x - x_guess) with P_guess = L L' the guess is standard normal, and in
   // the axes of the eigenvectors of the scans' information there the measurements part by axis: nu
   // is one number for each, and its variance 1 + 1 / eigenvalue.
-  constexpr double kRounding = 1e-9;  // beside the largest eigenvalue this is no information
+
+  /** Share of the largest eigenvalue below which another one is no information. Unit: share.
+   * Definition: the rounding of the doubles from which they are computed. */
+  constexpr double kRounding = 1e-9;
   const Eigen::Matrix3d L = guess.covariance.llt().matrixL();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(L.transpose() * information * L);
   const Eigen::Vector3d fromGuess(T_ref_cur.x_m - guess.pose.x_m, T_ref_cur.y_m - guess.pose.y_m,

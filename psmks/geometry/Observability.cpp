@@ -68,7 +68,9 @@ Observability observabilityAtHeading(const Eigen::Matrix3d& information)
 
 Eigen::Vector2d positionPerHeading(const Eigen::Matrix3d& information, double weakestSigma_m)
 {
-  constexpr double kRounding = 1e-9;  // beside the larger eigenvalue this is no information
+  /** Share of the larger eigenvalue below which the smaller one is no information. Unit: share.
+   * Definition: the rounding of the doubles from which both are computed. */
+  constexpr double kRounding = 1e-9;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> position(information.topLeftCorner<2, 2>());
   Eigen::Vector2d perHeading = Eigen::Vector2d::Zero();
   for (int i = 0; i < 2; ++i)

@@ -17,6 +17,8 @@ Pose2 moved(const Pose2& T, const Eigen::Vector2d& by_m)
 
 void CandidateSearch::refineAndKeep(const Pose2& start)
 {
+  /** Width of the first gates of a second refinement. Unit: share of the gates. Evidence: none of
+   * its own; it was chosen with the scheme as a whole. */
   constexpr double kNarrow = 0.5;
   ++match_.result.hypotheses;
   const RefinedPose candidate = refinement_.refine(start);
@@ -57,7 +59,9 @@ void CandidateSearch::searchFurther()
   if (match_.result.hypotheses == 0)
     match_.buffers.hypotheses.push_back({match_.guess.T_ref_cur, 0, 0});
   considerMostPromising(options.refinedHypotheses);
-  constexpr double kEnough = 0.25;  // of the rays in common for single ones to tell a place
+  /** Share of the rays that has to be paired before places along a wall are searched. Unit: share
+   * of the rays. Evidence: none of its own; it was chosen with the scheme as a whole. */
+  constexpr double kEnough = 0.25;
   if (!match_.prior() && !verifier_.isConvincing(best_) && match_.pairsMoreThan(kEnough, best_))
     searchAlongWeakDirections();
 }
@@ -72,7 +76,9 @@ void CandidateSearch::reserve()
 
 void CandidateSearch::searchWide()
 {
-  constexpr double kMoreFarOff = 0.1;  // of the rays than an acceptable pose near the guess
+  /** What a far pose has to explain more than an acceptable one near the guess. Unit: score.
+   * Evidence: none of its own; it was chosen with the scheme as a whole. */
+  constexpr double kMoreFarOff = 0.1;
   const RefinedPose nearGuess = best_;
   tryGrid(match_.prior() ? withinGuess() : farFromGuess());
   if (verifier_.isAcceptable(nearGuess) && best_.score < nearGuess.score + kMoreFarOff)
@@ -108,7 +114,12 @@ void CandidateSearch::tryGrid(const SearchWindow& effort)
  * searched for votes. */
 CandidateSearch::SearchWindow CandidateSearch::withinGuess() const
 {
+  /** Size of the grid about a measured guess. Unit: standard deviations. Evidence: none of its own;
+   * it was chosen with the scheme as a whole. */
   constexpr double kSigmas = 3;
+
+  /** Points of that grid that climb. Unit: points. Evidence: none of its own; it was chosen with
+   * the scheme as a whole. */
   constexpr std::size_t kFollowed = 16;
   const JointOptions& o = match_.options;
   const Eigen::Matrix3d& C = *match_.guess.covariance;
@@ -131,7 +142,12 @@ CandidateSearch::SearchWindow CandidateSearch::turnedFromGuess() const
 
 CandidateSearch::SearchWindow CandidateSearch::exhaustiveWindow(double radius_m) const
 {
+  /** Points of the exhaustive grid that climb. Unit: points. Evidence: none of its own; it was
+   * chosen with the scheme as a whole. */
   constexpr std::size_t kFollowed = 80;
+
+  /** How many times as many hypotheses are refined as near the guess. Unit: ratio. Evidence: none
+   * of its own; it was chosen with the scheme as a whole. */
   constexpr int kTimes = 3;
   return {{radius_m, match_.options.wideAngle_rad, kFollowed}, kTimes};
 }
@@ -150,8 +166,9 @@ void CandidateSearch::propose(const SearchLimits& limits)
  *  @param most hypotheses that are refined */
 void CandidateSearch::considerMostPromising(int most)
 {
-  constexpr double kHopeless =
-      0.75;  // score of a start, as a share of the best score, not worth a look
+  /** A hypothesis is not refined if its score is a smaller share of the best one. Unit: share.
+   * Evidence: none of its own; it was chosen with the scheme as a whole. */
+  constexpr double kHopeless = 0.75;
   Stopwatch watch;
   std::vector<Hypothesis>& starts = match_.buffers.hypotheses;
   for (Hypothesis& h : starts) h.score = hypothesisScore_.of(h.T_ref_cur);
@@ -174,7 +191,9 @@ void CandidateSearch::considerMostPromising(int most)
  * covariance tells the place along the wall itself, and is not searched along. */
 void CandidateSearch::searchAlongWeakDirections()
 {
-  constexpr double kSame = 0.985;  // cosine of 10 degrees
+  /** Cosine of the angle within which two directions are the same. Unit: cosine. Evidence: none of
+   * its own; it was chosen with the scheme as a whole. */
+  constexpr double kSame = 0.985;
   const Eigen::Vector2d weakest = best_.observability.weakDirection;
   searchAlong(weakest);
   const Eigen::Vector2d walls = directionOfWalls(match_.buffers.reference.scan->segments);
@@ -194,6 +213,8 @@ void CandidateSearch::searchAlong(const Eigen::Vector2d& direction)
 
 void CandidateSearch::probeAlternatives()
 {
+  /** How far aside of a pose its alternatives start. Evidence: none of its own; it was chosen with
+   * the scheme as a whole. */
   constexpr double kAside_m = 0.2;
   const Pose2 held = best_.T_ref_cur;
   const Eigen::Vector2d direction = best_.observability.weakDirection;
@@ -212,8 +233,16 @@ void CandidateSearch::proposeAlong(const Eigen::Vector2d& direction, const Along
 
 AlongLimits CandidateSearch::nearAlong() const
 {
+  /** Most places along a wall near the pose that are refined. Unit: places. Evidence: none of its
+   * own; it was chosen with the scheme as a whole. */
   constexpr std::size_t kMost = 2;
-  constexpr double kMissedPromise = 0.05, kNoTurn_rad = 0;
+
+  /** How much less than the best such a place may score. Unit: score. Evidence: none of its own; it
+   * was chosen with the scheme as a whole. */
+  constexpr double kMissedPromise = 0.05;
+
+  /** Turn of the headings beside. Definition: no heading beside is tried near the pose. */
+  constexpr double kNoTurn_rad = 0;
   return {match_.options.searchRadius_m, kNoTurn_rad, kMost, kMissedPromise};
 }
 
@@ -221,8 +250,17 @@ AlongLimits CandidateSearch::nearAlong() const
  * refined. */
 AlongLimits CandidateSearch::farAlong() const
 {
+  /** Most places far along a wall that are refined. Unit: places. Evidence: none of its own; it was
+   * chosen with the scheme as a whole. */
   constexpr std::size_t kMost = 8;
-  constexpr double kMissedPromise = 0.15, kTurn_rad = degToRad(1);
+
+  /** How much less than the best such a place may score. Unit: score. Evidence: none of its own; it
+   * was chosen with the scheme as a whole. */
+  constexpr double kMissedPromise = 0.15;
+
+  /** Turn of the headings beside that are tried there. Evidence: none of its own; it was chosen
+   * with the scheme as a whole. */
+  constexpr double kTurn_rad = degToRad(1);
   const double reach_m = std::max(match_.options.searchRadius_m, match_.options.wideRadius_m);
   return {reach_m, kTurn_rad, kMost, kMissedPromise};
 }

@@ -14,9 +14,16 @@ struct Fineness
   double step_m, step_rad, tolerance_m;
 };
 
+/** Spacing and tolerance of the grid. Unit: m, rad, m. Evidence: the tolerance is the spacing, so
+ * that no surface falls between two points; other spacings were not tried. */
 constexpr Fineness kGrid{0.5, degToRad(6), 0.5};
+
+/** Spacings and tolerances of the climb from the best points of the grid. Unit: m, rad, m.
+ * Evidence: each about halves the one before; others were not tried. */
 constexpr Fineness kFiner[] = {{0.25, degToRad(3), 0.3}, {0.12, degToRad(1.5), 0.15}};
 
+/** Most hypotheses of the search. Unit: hypotheses. Evidence: none of its own; it was chosen with
+ * the scheme as a whole. */
 constexpr std::ptrdiff_t kProposed = 12;
 
 bool scoresMore(const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; }
@@ -30,6 +37,8 @@ void keepBest(std::size_t most, std::vector<Hypothesis>& places)
 
 bool isSamePlace(const Pose2& a, const Pose2& b)
 {
+  /** Distance and angle within which two hypotheses lead to the same place. Evidence: none of its
+   * own; it was chosen with the scheme as a whole. */
   constexpr double kApart_m = 0.3, kApart_rad = degToRad(5);
   return (a.translation() - b.translation()).norm() < kApart_m &&
          std::abs(wrapAngle(a.phi_rad - b.phi_rad)) < kApart_rad;

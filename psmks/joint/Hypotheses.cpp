@@ -8,16 +8,32 @@ namespace psmks
 {
 namespace
 {
+/** Bin of the votes for a rotation. Evidence: none of its own; it was chosen with the scheme as a
+ * whole. */
 constexpr double kAngleBin_rad = degToRad(1);
-constexpr double kParallel_rad = degToRad(3);  //!< lines this parallel at a voted angle are a pair
-constexpr double kCrossing = 0.3;  //!< sine of the smallest angle of two lines that fix a point
+
+/** Angle within which two lines are a pair at a voted rotation. Evidence: none of its own; it was
+ * chosen with the scheme as a whole. */
+constexpr double kParallel_rad = degToRad(3);
+
+/** Sine of the smallest angle between two lines that vote for a position together. Unit: sine.
+ * Evidence: none of its own; it was chosen with the scheme as a whole. */
+constexpr double kCrossing = 0.3;
+
+/** Cell of the votes for a position. Evidence: none of its own; it was chosen with the scheme as a
+ * whole. */
 constexpr double kGridCell_m = 0.10;
+
+/** Most positions that are kept for each rotation. Unit: positions. Evidence: none of its own; it
+ * was chosen with the scheme as a whole. */
 constexpr int kPeaksPerAngle = 4;
 
 /** Evidence of a pair of segments: the length they can have in common, at most that of a wall of a
  *  room, so that one long corridor wall does not decide alone. */
 double evidence_m(const Segment& a, const Segment& b)
 {
+  /** Length from which on a pair of lines has no more votes. Evidence: none of its own; it was
+   * chosen with the scheme as a whole. */
   constexpr double kLongest_m = 4;
   return std::min({a.length_m(), b.length_m(), kLongest_m});
 }
@@ -95,7 +111,9 @@ void HypothesisSearch::voteTranslations(const ScanFeatures& reference, const Sca
   for (std::size_t i = 0; i < constraints_.size(); ++i)
   {
     const Constraint& a = constraints_[i];
-    // Alone, a line leaves the guess along itself. It must not outvote an intersection.
+    /** Weight of the vote of a single line, which leaves the guess along itself and must not
+     * outvote an intersection. Unit: votes of a pair. Evidence: none of its own; it was chosen with
+     * the scheme as a whole. */
     constexpr double kAlone = 0.2;
     cast(a.nx * a.offset_m, a.ny * a.offset_m, kAlone * a.weight_m, limits.radius_m);
     for (std::size_t j = i + 1; j < constraints_.size(); ++j)

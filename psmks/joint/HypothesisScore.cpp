@@ -13,7 +13,9 @@ HypothesisScore::HypothesisScore(const ScanScores& scores, const Pose2& guess_T_
 
 double HypothesisScore::of(const Pose2& T_ref_cur) const
 {
-  constexpr double kAtLimits = 0.05;  // the score counts this much less at the search's limits
+  /** What the score of a hypothesis counts less at the limits of the search. Unit: score. Evidence:
+   * none of its own; it was chosen with the scheme as a whole. */
+  constexpr double kAtLimits = 0.05;
   const Pose2 T_guess_start = T_guess_ref_ * T_ref_cur;
   const double normalizedDistance = (std::abs(T_guess_start.phi_rad) / options_.searchAngle_rad +
                                      T_guess_start.translation().norm() / options_.searchRadius_m) /

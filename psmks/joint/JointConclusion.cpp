@@ -70,6 +70,8 @@ void JointConclusion::settleHeading()
  * explains the scans as well. Where a measured guess confirms the pose, one side is asked. */
 bool JointConclusion::isHeadingOpen()
 {
+  /** Turn of the starts that test whether the heading is open. Evidence: none of its own; it was
+   * chosen with the scheme as a whole. */
   constexpr double kTurn_rad = degToRad(5);
   return convergesElsewhere(kTurn_rad) ||
          (!verifier_.agreesWithGuess(best_) && convergesElsewhere(-kTurn_rad));
@@ -89,6 +91,8 @@ bool JointConclusion::convergesElsewhere(double turn_rad)
 
 bool JointConclusion::explainsAsMuch(const RefinedPose& other) const
 {
+  /** How much less a pose may score that explains as much. Unit: score. Evidence: none of its own;
+   * it was chosen with the scheme as a whole. */
   constexpr double kSameScore = 0.03;
   return other.score > best_.score - kSameScore;
 }
@@ -172,7 +176,13 @@ void JointConclusion::settleAmbiguity()
  * which the position is open anyway. */
 bool JointConclusion::isAmbiguousWith(const RefinedPose& other) const
 {
+  /** Angle within which an ambiguous pose has the same heading. Evidence: none of its own; it was
+   * chosen with the scheme as a whole. */
   constexpr double kSameHeading_rad = degToRad(2);
+
+  /** How much less an ambiguous pose may score: where lines hold the pose, and where they hold less
+   * than half of its rays. Unit: score. Evidence: none of its own; it was chosen with the scheme as
+   * a whole. */
   constexpr double kNearTie = 0.05, kNearTieUnheld = 0.2;
   const double turned_rad = wrapAngle(other.T_ref_cur.phi_rad - accepted_.T_ref_cur.phi_rad);
   const double tie = verifier_.isHeldByLines(accepted_) ? kNearTie : kNearTieUnheld;

@@ -67,6 +67,9 @@ struct JointMatch
    * know less than half of what a single ray knows that meets a wall head-on. */
   double weakDirectionSigma_m() const
   {
+    /** Standard deviation of the position from which on it is not observable. Unit: standard
+     * deviations of a range. Evidence: none of its own; it was chosen with the scheme as a whole.
+     */
     constexpr double kHalfARay = 1.5;
     return std::max(options.weakDirectionSigma_m, kHalfARay * rangeSigma_m);
   }

@@ -17,7 +17,9 @@ void fill(JointBuffers& buffers, const SegmentedScan& reference, const Segmented
 
 void tryGuess(JointMatch& match, CandidateSearch& search)
 {
-  constexpr double kPromising = 0.5;  // rough score from which a guess is refined first
+  /** Rough score from which on the guess is refined before anything is searched. Unit: score.
+   * Evidence: none of its own; it was chosen with the scheme as a whole. */
+  constexpr double kPromising = 0.5;
   const Pose2& guess_T_ref_cur = match.guess.T_ref_cur;
   if (match.scores.roughScore(guess_T_ref_cur) >= kPromising) search.refineAndKeep(guess_T_ref_cur);
 }

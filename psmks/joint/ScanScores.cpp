@@ -13,6 +13,8 @@ int strideOf(const RayPoints& points, std::size_t enoughRays)
   return std::max(1, static_cast<int>(points.size() / enoughRays));
 }
 
+/** Rays of a scan that a full score counts, about. Unit: rays. Evidence: none of its own; it was
+ * chosen with the scheme as a whole. */
 constexpr std::size_t kEnoughRays = 180;
 }  // namespace
 
@@ -24,7 +26,12 @@ ScanScores::ScanScores(const ScanFeatures& reference, const ScanFeatures& curren
 
 double ScanScores::roughScore(const Pose2& T_ref_cur) const
 {
+  /** Tolerance of a rough score. Evidence: none of its own; it was chosen with the scheme as a
+   * whole. */
   constexpr float kRoughTolerance_m = 0.15f;
+
+  /** A rough score counts every so many rays. Unit: rays. Evidence: none of its own; it was chosen
+   * with the scheme as a whole. */
   constexpr int kStride = 4;
   return freeSpaceScore(
       countRays(current_.points, reference_.surface, T_ref_cur, kRoughTolerance_m, kStride));
@@ -32,6 +39,8 @@ double ScanScores::roughScore(const Pose2& T_ref_cur) const
 
 double ScanScores::scoreWithin(const Pose2& T_ref_cur, double tolerance_m) const
 {
+  /** Rays of a scan that the score of a grid point counts, about. Unit: rays. Evidence: none of its
+   * own; it was chosen with the scheme as a whole. */
   constexpr std::size_t kFewRays = 60;
   return freeSpaceScore(countRays(current_.points, reference_.surface, T_ref_cur,
                                   static_cast<float>(tolerance_m),

@@ -8,6 +8,8 @@ namespace psmks
 {
 namespace
 {
+/** Spacing of the places along a direction. Evidence: none of its own; it was chosen with the
+ * scheme as a whole. */
 constexpr double kStep_m = 0.1;
 
 int stepsWithin(double reach_m) { return static_cast<int>(reach_m / kStep_m); }
@@ -16,6 +18,8 @@ int stepsWithin(double reach_m) { return static_cast<int>(reach_m / kStep_m); }
 Hypothesis bestHeading(const HypothesisScore& hypothesisScore, const Pose2& T_ref_cur,
                        double turn_rad)
 {
+  /** What a turned heading has to score more. Unit: score. Evidence: none of its own; it was chosen
+   * with the scheme as a whole. */
   constexpr double kClearlyMore = 0.01;
   Hypothesis best{T_ref_cur, 0, hypothesisScore.of(T_ref_cur)};
   for (const double by_rad : {-turn_rad, turn_rad})
@@ -56,8 +60,9 @@ void findPlacesAlong(const HypothesisScore& hypothesisScore, const Pose2& T_ref_
                      const Eigen::Vector2d& direction, const AlongLimits& limits,
                      std::vector<Hypothesis>& places)
 {
-  constexpr double kFar_m =
-      0.8;  // from here on walls may be others than those of the pose's heading
+  /** Distance from which on turned headings are tried, because the walls there may be others.
+   * Evidence: none of its own; it was chosen with the scheme as a whole. */
+  constexpr double kFar_m = 0.8;
   const int reach = stepsWithin(limits.reach_m);
   places.clear();
   for (int k = -reach; k <= reach; ++k)

@@ -63,6 +63,8 @@ bool MatchResult::usable() const
 
 Eigen::Matrix3d MatchResult::unknownCovariance()
 {
+  /** Standard deviation of a pose of which nothing is known. Evidence: a choice; wide beside what a
+   * match knows, and finite, so that it can serve as a prior. */
   constexpr double kSigma_m = 1.0, kSigma_rad = degToRad(30);
   return Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigma_rad * kSigma_rad)
       .asDiagonal();

@@ -35,8 +35,11 @@ double sweepDuration_s(const BeamGrid& grid, double beamTurn_s);
 class TurnRate
 {
  public:
+  /** Time over which the rate is measured, at least. Evidence: measured. */
   static constexpr double kWindow_s = 0.2;
-  static constexpr double kMaxAge_s = 3.0;  //!< over a longer time no rate is given
+
+  /** Gap between scans from which on the rate is unknown. Evidence: measured. */
+  static constexpr double kMaxAge_s = 3.0;
 
   /** Adds a reading. One that goes back in time replaces all before it; one that is not finite
    *  removes them.

@@ -82,6 +82,8 @@ std::vector<KeyframeMap::View> KeyframeMap::loopCandidates(const std::vector<Pos
 std::vector<KeyframeMap::LoopCandidate> KeyframeMap::withinDrift(
     const std::vector<PosedScan>& scans, const PosedScan& current, std::size_t startNode) const
 {
+  /** Most loop candidates that are searched for one scan; a search takes about as long as a match.
+   * Unit: keyframes. Evidence: measured. */
   constexpr std::size_t kMostSearched = 8;
   const std::vector<double> distances_m = graph_.distances_m(startNode);
   std::vector<LoopCandidate> candidates;
@@ -131,8 +133,17 @@ std::optional<std::size_t> KeyframeMap::nodeOf(std::size_t scan) const
 void KeyframeMap::add(std::vector<PosedScan>& scans, std::size_t index,
                       const std::vector<ReferenceMatch>& links)
 {
-  constexpr double kSmallInnovation_m = 0.01, kGrossInnovation_m = 0.05;
-  constexpr std::size_t kRecentNodes = 30;  // that a small innovation moves
+  /** Links that contradict the poses by less wait for the next optimisation, or for the end of the
+   * log. Evidence: measured. */
+  constexpr double kSmallInnovation_m = 0.01;
+
+  /** Links that contradict the poses by more move all keyframes, else only the recent ones move.
+   * Evidence: measured. */
+  constexpr double kGrossInnovation_m = 0.05;
+
+  /** How many of the last keyframes a small contradiction moves. Unit: keyframes. Evidence:
+   * measured. */
+  constexpr std::size_t kRecentNodes = 30;
   const std::size_t node = graph_.add(scans[index].T_world_robot.pose);
   keyframes_.push_back({index, node});
   double innovation_m = 0;
@@ -149,7 +160,8 @@ void KeyframeMap::add(std::vector<PosedScan>& scans, std::size_t index,
  * the end of a lever */
 double KeyframeMap::addLink(const ReferenceMatch& link, std::size_t from, std::size_t to)
 {
-  constexpr double kLever_m = 2;  // walls are that far away, give or take a factor of 2
+  /** Distance at which an error of a heading counts as a displacement. Evidence: measured. */
+  constexpr double kLever_m = 2;
   const PoseLink added{from, to, link.T_ref_cur.pose,
                        policy_.linkCovariance(link.T_ref_cur.covariance).inverse()};
   graph_.add(added);

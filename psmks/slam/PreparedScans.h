@@ -22,8 +22,9 @@ namespace psmks
 class PreparedScans
 {
  public:
-  /** As many as a robot has keyframes around it, with a margin. Segmented scans of 1,081 rays take
-   * about 20 kB each. */
+  /** Most prepared scans that are kept: as many as a robot has keyframes around it, with a margin.
+   * Unit: scans. Definition: bounds the memory; segmented scans of 1,081 rays take about 20 kB
+   * each. */
   static constexpr std::size_t kCapacity = 128;
 
   /** @param matcher kept by reference

@@ -120,7 +120,9 @@ bool ReferencePolicy::needsRetry(const MatchResult& match) const
 
 bool ReferencePolicy::isBetter(const MatchResult& toLast, const MatchResult& toReference) const
 {
-  constexpr double kClearly = 0.05;  // of the rays
+  /** A match against the last scan is preferred where it explains so much more of the rays. Unit:
+   * share of the rays. Evidence: open. */
+  constexpr double kClearly = 0.05;
   return toLast.status == MatchStatus::Converged && toLast.score > toReference.score + kClearly;
 }
 
@@ -168,8 +170,12 @@ Drift ReferencePolicy::driftAfter(double way_m) const
 
 bool ReferencePolicy::isLoopCandidate(const Pose2& T_keyframe_cur, const Drift& drift) const
 {
-  constexpr double kKnown_m = 0.3;  // the tolerance of overlap(): no search is needed
-  constexpr double kLost_m = 6;     // the time of a search grows with the square of the drift
+  /** Drift below which no search is needed. Evidence: what overlap() forgives. */
+  constexpr double kKnown_m = 0.3;
+
+  /** Drift from which on a place is not searched for; the search grows with its square. Evidence:
+   * open. */
+  constexpr double kLost_m = 6;
   const double reach_m = options_.mapSpacing_m + drift.displacement_m;
   const double reach_rad = options_.mapSpacing_rad + drift.rotation_rad;
   return drift.displacement_m > kKnown_m && drift.displacement_m < kLost_m &&

@@ -23,6 +23,8 @@ UncertainPose motionBetweenMatches(const Pose2& T_a_b, const UncertainPose& T_a_
  * the guess moves no result by 0.01 mm. */
 Eigen::Matrix3d vagueCovariance()
 {
+  /** Standard deviations of a guess that is a start and no measurement. Definition: so wide that
+   * they move no result by 0.01 mm. */
   constexpr double kSigma_m = 0.5, kSigma_rad = degToRad(10);
   return Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigma_rad * kSigma_rad)
       .asDiagonal();
