@@ -24,6 +24,11 @@ using mrpt::slam::TMetricMapAlignmentResult;
 
 namespace
 {
+/** Makes ScanMatcher known to MRPT's class factory when the library is loaded. MRPT_INITIALIZER
+ * would not do: what it runs may come before the class' own record, defined above, is filled. */
+[[maybe_unused]] const bool kIsRegistered =
+    (mrpt::rtti::registerClass(CLASS_ID(ScanMatcher)), true);
+
 /** The covariance as a prior; none where it is not positive definite. */
 std::optional<Eigen::Matrix3d> priorOf(const Eigen::Matrix3d& covariance)
 {
