@@ -4,6 +4,8 @@
 #include <mrpt/obs/stock_observations.h>
 #include <psmks/logs/OpenLog.h>
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace psmks
@@ -20,6 +22,25 @@ ExamplePair matched(const Scan& reference, const Scan& current, const Guess& gue
   matcher.segment(current, workspace, pair.current);
   pair.result = matcher.match(pair.reference, pair.current, guess, workspace);
   return pair;
+}
+
+/** What a scanner sees between two endless walls, y = -1 m and y = 1 m of the frame of its pose. */
+Scan corridorScan(const Pose2& T_corridor_sensor)
+{
+  constexpr double kHalfWidth_m = 1, kMaxRange_m = 8, kFieldOfView_deg = 180;
+  constexpr int kRays = 361;
+  Scan scan;
+  scan.grid = BeamGrid::centered(degToRad(kFieldOfView_deg), kRays);
+  scan.maxRange_m = kMaxRange_m;
+  for (int i = 0; i < kRays; ++i)
+  {
+    const double slope = std::sin(T_corridor_sensor.phi_rad + scan.grid.bearing_rad(i));
+    const double wall_m = std::copysign(kHalfWidth_m, slope) - T_corridor_sensor.y_m;
+    const double range_m = slope == 0 ? kMaxRange_m : wall_m / slope;
+    scan.range_m.push_back(range_m < kMaxRange_m ? range_m
+                                                 : std::numeric_limits<double>::infinity());
+  }
+  return scan;
 }
 }  // namespace
 
@@ -44,6 +65,12 @@ ExamplePair pairOfLog(const std::string& log, int reference, int current)
     if (i == current) return matched(referenceScan, toLogScan(frame, converter, {}).scan, Guess());
   }
   throw std::runtime_error(log + ": has no scan " + std::to_string(current));
+}
+
+ExamplePair bareCorridorPair()
+{
+  const Pose2 reference{0, -0.1, 0}, current{0.4, 0.1, degToRad(5)};
+  return matched(corridorScan(reference), corridorScan(current), Guess());
 }
 
 ChartSeries rayPoints(const std::string& name, const SegmentedScan& scan, const Pose2& T_ref_scan,

@@ -8,7 +8,7 @@
 
 namespace psmks
 {
-/** Two scans of a real robot, segmented and matched. */
+/** Two scans, segmented and matched. */
 struct ExamplePair
 {
   SegmentedScan reference, current;
@@ -23,6 +23,11 @@ ExamplePair stockPair();
 /** Two scans of a log, matched from no motion.
  *  @param reference, current numbers of scans, counted from 0 */
 ExamplePair pairOfLog(const std::string& log, int reference, int current);
+
+/** Two scans computed for a straight corridor without doors, 2 m wide, seen 8 m far, and matched
+ * from no motion: the scanner has moved by 0.4 m along the corridor, 0.2 m across it, and 5
+ * degrees. The position along it cannot be known from them. */
+ExamplePair bareCorridorPair();
 
 /** The end points of the valid rays, moved by a pose. */
 ChartSeries rayPoints(const std::string& name, const SegmentedScan& scan, const Pose2& T_ref_scan,

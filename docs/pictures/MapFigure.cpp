@@ -31,7 +31,7 @@ ChartSeries returns(const std::vector<PosedScan>& scans)
 {
   constexpr std::size_t kStride = 4;
   const std::vector<Eigen::Vector2d> points_m = makeScanMap(scans, MatcherOptions()).points_m;
-  ChartSeries series{"", {}, ChartSeries::Style::Points, kGrey};
+  ChartSeries series{"ends of every fourth ray", {}, ChartSeries::Style::Points, kGrey};
   for (std::size_t i = 0; i < points_m.size(); i += kStride) series.points.push_back(points_m[i]);
   return series;
 }

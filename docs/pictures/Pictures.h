@@ -7,7 +7,8 @@
 #include <string>
 
 /** \file
- * The pictures of the guide. Each shows one step of the method on real scans. The colours are those
+ * The pictures of the guide. Each shows one step of the method on real scans; only the bare
+ * corridor of the scores is computed. The colours are those
  * of Okabe and Ito, which colour-blind readers tell apart. */
 
 namespace psmks

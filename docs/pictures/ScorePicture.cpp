@@ -79,8 +79,11 @@ std::string drawScores(const ExamplePair& fixed, const ExamplePair& open, const 
       "'#a0a0a0'\n";
   return runGnuplot(
              look + scoreBlock("fixed", fixed) + scoreBlock("open", open) +
-             "set multiplot layout 1,2\n" + panel("fixed", "Walls in all directions", fixed) +
-             panel("open", "A corridor: " + std::string(toString(open.result.status)), open) +
+             "set multiplot layout 1,2\n" +
+             panel("fixed",
+                   "Walls in all directions: " + std::string(toString(fixed.result.status)),
+                   fixed) +
+             panel("open", "A bare corridor: " + std::string(toString(open.result.status)), open) +
              "unset multiplot\nunset output\n")
       .failure;
 }
