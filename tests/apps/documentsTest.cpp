@@ -313,7 +313,7 @@ TEST(Examples, AreShownWithWhatTheyPrint)
 TEST(ConfigReadme, ShowsOptionsAsTheyAre)
 {
   const std::string readme = source("config/README.md"), options = source("docs/options.md");
-  const std::regex row(R"(\n\| `([a-z]+)\.([a-z_]+)` (\|[^\n]*))");
+  const std::regex row(R"(\n\| `([a-z]+)\.([a-z_]+)` (\|[^|\n]+\|[^|\n]+\|[^\n]+\|))");
   int rows = 0;
   for (std::sregex_iterator i(readme.begin(), readme.end(), row), none; i != none; ++i, ++rows)
     EXPECT_TRUE(test::says(options, {"**[" + (*i)[1].str() + "]**",
