@@ -58,7 +58,7 @@ MatchResult invalidInput(const Guess& guess)
 }  // namespace
 
 Matcher::Matcher(MatcherOptions options, std::shared_ptr<const ExternalSolvers> externalSolvers)
-    : options_(std::move(options)), externalSolvers_(std::move(externalSolvers))
+    : options_(options), externalSolvers_(std::move(externalSolvers))
 {
   options_.validate();
   if (needsExternalSolvers(options_) && !externalSolvers_)
