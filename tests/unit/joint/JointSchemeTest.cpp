@@ -36,7 +36,7 @@ class JointSchemeFarFromTheGuess : public testing::Test
 
   const Pose2 kFar{1.4, 1.7, degToRad(75)};
   const SegmentedScan reference_ = scanFrom({}), current_ = scanFrom(kFar);
-  const JointOptions options_;
+  const JointOptions options_{};
 };
 }  // namespace
 
