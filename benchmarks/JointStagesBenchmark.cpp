@@ -3,8 +3,8 @@
 #include <benchmarks/RoomPair.h>
 #include <psmks/core/Matcher.h>
 #include <psmks/features/FreeSpaceScore.h>
+#include <psmks/joint/GaussNewton.h>
 #include <psmks/joint/Hypotheses.h>
-#include <psmks/joint/JointSolver.h>
 #include <psmks/joint/LinePairing.h>
 
 namespace psmks

@@ -4,7 +4,7 @@
 #include <psmks/geometry/Innovation.h>
 #include <psmks/geometry/Observability.h>
 #include <psmks/geometry/Pose2.h>
-#include <psmks/joint/JointSolver.h>
+#include <psmks/joint/GaussNewton.h>
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/joint/GaussNewton.h>
 #include <psmks/joint/JointMatch.h>
-#include <psmks/joint/JointSolver.h>
 #include <psmks/joint/LinePairing.h>
 
 namespace psmks

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/features/CirclePairing.h>
-#include <psmks/joint/JointSolver.h>
+#include <psmks/joint/GaussNewton.h>
 
 #include <Eigen/LU>
 

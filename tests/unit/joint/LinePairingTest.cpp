@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/joint/JointSolver.h>
+#include <psmks/joint/GaussNewton.h>
 #include <psmks/joint/LinePairing.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Scenes.h>

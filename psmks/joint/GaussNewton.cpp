@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/joint/JointSolver.h>
+#include <psmks/joint/GaussNewton.h>
 
 #include <Eigen/Cholesky>
 #include <cmath>

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/joint/JointSolver.h>
+#include <psmks/joint/GaussNewton.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/RandomNumbers.h>
 
@@ -10,10 +10,10 @@ namespace psmks
 {
 namespace
 {
-class JointSolverTest : public testing::TestWithParam<unsigned>
+class GaussNewtonTest : public testing::TestWithParam<unsigned>
 {
  protected:
-  JointSolverTest() : trace_(__FILE__, __LINE__, random_.seedText()) {}
+  GaussNewtonTest() : trace_(__FILE__, __LINE__, random_.seedText()) {}
 
   Eigen::Vector2d point() { return {random_.uniform(-5, 5), random_.uniform(-5, 5)}; }
 
@@ -81,7 +81,7 @@ class JointSolverTest : public testing::TestWithParam<unsigned>
   testing::ScopedTrace trace_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Seeds, JointSolverTest, testing::Range(1u, 21u));
+INSTANTIATE_TEST_SUITE_P(Seeds, GaussNewtonTest, testing::Range(1u, 21u));
 
 Pose2 shifted(const Pose2& pose, const Eigen::Vector3d& by)
 {
@@ -100,7 +100,7 @@ auto numericDerivative(const Pose2& pose, int column, Function f) -> decltype(f(
 const SolverLimits kManySteps{50, 1e-10, 1e-10};
 }  // namespace
 
-TEST_P(JointSolverTest, TheJacobianOfALinePairIsTheNumericOne)
+TEST_P(GaussNewtonTest, TheJacobianOfALinePairIsTheNumericOne)
 {
   const Pose2 at = pose();
   const LinePairTerm term = linePair(near(at));
@@ -113,7 +113,7 @@ TEST_P(JointSolverTest, TheJacobianOfALinePairIsTheNumericOne)
   }
 }
 
-TEST_P(JointSolverTest, TheJacobianOfACirclePairIsTheNumericOne)
+TEST_P(GaussNewtonTest, TheJacobianOfACirclePairIsTheNumericOne)
 {
   const Pose2 at = pose();
   const CirclePairTerm term = circlePair(near(at));
@@ -126,7 +126,7 @@ TEST_P(JointSolverTest, TheJacobianOfACirclePairIsTheNumericOne)
   }
 }
 
-TEST_P(JointSolverTest, TheJacobiansOfRaysAreTheNumericOnes)
+TEST_P(GaussNewtonTest, TheJacobiansOfRaysAreTheNumericOnes)
 {
   const Pose2 at = pose();
   for (const bool pointIsCurrent : {true, false})
@@ -165,7 +165,7 @@ double cost(const JointProblem& problem, const Pose2& T_ref_cur)
   return sum;
 }
 
-TEST_P(JointSolverTest, TheNormalEquationsAreTheSumsOverTheTerms)
+TEST_P(GaussNewtonTest, TheNormalEquationsAreTheSumsOverTheTerms)
 {
   const Pose2 truth = pose(), at = near(truth);
   JointProblem p = problem(truth);
@@ -205,7 +205,7 @@ TEST_P(JointSolverTest, TheNormalEquationsAreTheSumsOverTheTerms)
   EXPECT_LT((withPrior.g - sum.g + p.prior->information * e).norm(), 1e-9 * sum.g.norm());
 }
 
-TEST_P(JointSolverTest, TheGradientIsTheNumericOneOfTheCost)
+TEST_P(GaussNewtonTest, TheGradientIsTheNumericOneOfTheCost)
 {
   const Pose2 truth = pose(), at = near(truth);
   const JointProblem p = problem(truth);
@@ -215,7 +215,7 @@ TEST_P(JointSolverTest, TheGradientIsTheNumericOneOfTheCost)
                 1e-5 * n.g.norm());
 }
 
-TEST_P(JointSolverTest, EveryStepLowersTheCostUntilTheGradientIsZero)
+TEST_P(GaussNewtonTest, EveryStepLowersTheCostUntilTheGradientIsZero)
 {
   const Pose2 truth = pose();
   const JointProblem p = problem(truth);
@@ -232,7 +232,7 @@ TEST_P(JointSolverTest, EveryStepLowersTheCostUntilTheGradientIsZero)
   EXPECT_TRUE(isNearly(estimate, truth, 0.02, degToRad(0.5)));
 }
 
-TEST_P(JointSolverTest, OneLineMovesThePoseAcrossItselfOnly)
+TEST_P(GaussNewtonTest, OneLineMovesThePoseAcrossItselfOnly)
 {
   const Pose2 truth{0, 0, 0.2};
   JointProblem p;
@@ -246,7 +246,7 @@ TEST_P(JointSolverTest, OneLineMovesThePoseAcrossItselfOnly)
 }
 
 // Two pillars fix the pose, as two points do; one leaves the heading as it is.
-TEST_P(JointSolverTest, TwoCirclesFixThePose)
+TEST_P(GaussNewtonTest, TwoCirclesFixThePose)
 {
   const Pose2 truth = pose();
   const Eigen::Vector2d first(2, 1), second(-1, 3);
@@ -259,7 +259,7 @@ TEST_P(JointSolverTest, TwoCirclesFixThePose)
   EXPECT_TRUE(isNearly(estimate, truth, 1e-6, 1e-6));
 }
 
-TEST(JointSolver, WithoutTermsThePoseStays)
+TEST(GaussNewton, WithoutTermsThePoseStays)
 {
   Pose2 estimate{1, 2, 3};
   EXPECT_TRUE(solveByGaussNewton({}, {10, 1e-4, 1e-4}, estimate).converged);
