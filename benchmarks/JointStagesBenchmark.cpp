@@ -50,7 +50,7 @@ void association(benchmark::State& state)
   {
     s.problem.clear();
     benchmark::DoNotOptimize(
-        pairLines(s.reference, s.current, s.pair.T_ref_cur_true, kLastGates, s.problem));
+        associateFeatures(s.reference, s.current, s.pair.T_ref_cur_true, kLastGates, s.problem));
   }
 }
 
@@ -58,7 +58,7 @@ void association(benchmark::State& state)
 void gaussNewton(benchmark::State& state)
 {
   Stages s(state);
-  pairLines(s.reference, s.current, s.pair.T_ref_cur_true, kLastGates, s.problem);
+  associateFeatures(s.reference, s.current, s.pair.T_ref_cur_true, kLastGates, s.problem);
   const SolverLimits limits{10, 1e-4, degToRad(1e-3)};
   for (auto _ : state)
   {

@@ -30,7 +30,7 @@ Chart associationChart(const std::string& title, const ExamplePair& pair, const 
   reference.build(pair.reference);
   current.build(pair.current);
   JointProblem problem;
-  pairLines(reference, current, T_ref_cur, gates, problem);
+  associateFeatures(reference, current, T_ref_cur, gates, problem);
 
   Chart chart =
       planChart(title + ": " + std::to_string(problem.linePairs.size()) + " pairs of lines");

@@ -18,7 +18,6 @@ struct RayCounts
   int uncovered = 0;  //!< behind a movable object that may have gone away
   int unknown = 0;    //!< outside the field of view, or where the other scan has no return
 
-  /** Number of all points. */
   int counted() const { return on + front + behind + moved + uncovered + unknown; }
 
   RayCounts& operator+=(const RayCounts& o)
@@ -36,13 +35,15 @@ struct RayCounts
 RayCounts countRays(const RayPoints& points, const PolarLookup& surface,
                     const Pose2& T_surface_points, float tolerance_m, int stride = 1);
 
-/** Share of the rays that a pose explains, 0 to 1 (docs/derivations.md, "Free-space score"):
+/** How well a pose explains the rays, 0 to 1: a weighted share of the rays that the other scan
+ *  could judge, 1 where all of them lie on its surfaces (docs/derivations.md, "Free-space score"):
  *
- *     s = on / (on + front + (behind + moved) / 2 + uncovered / 4) * min(1, seen / 0.4)
+ *      s = on / (on + front + (behind + moved) / 2 + uncovered / 4) * min(1, seen / 0.4)
  *
- * where `seen` is the share of the rays that are not unknown. A ray behind the surface counts half,
- * because it may have been hidden; so does a ray on an object that may have moved. A wrong pose can
- * fit the pairs that it has kept, but it puts rays of walls into free space. */
+ *  where `seen` is the share of the rays that are not unknown; unknown rays lower the score only
+ *  where fewer than 40 % are seen. A ray behind the surface counts half, because it may have been
+ *  hidden; so does a ray on an object that may have moved. A wrong pose can fit the pairs that it
+ *  has kept, but it puts rays of walls into free space. */
 double freeSpaceScore(const RayCounts& counts);
 
 /** Distance within which a point counts as on a surface: three standard deviations of a range and 1

@@ -58,7 +58,7 @@ void CandidateSearch::searchFurther()
   propose({options.searchRadius_m, options.searchAngle_rad, options.votedAngles});
   if (match_.result.hypotheses == 0)
     match_.buffers.hypotheses.push_back({match_.guess.T_ref_cur, 0, 0});
-  considerMostPromising(options.refinedHypotheses);
+  refineBest(options.refinedHypotheses);
   /** Share of the rays that has to be paired before places along a wall are searched. Unit: share
    * of the rays. Evidence: none of its own; it was chosen with the scheme as a whole. */
   constexpr double kEnough = 0.25;
@@ -100,14 +100,14 @@ void CandidateSearch::searchDespiteGuess()
   match_.result.guessGivenUp = false;
 }
 
-void CandidateSearch::tryGrid(const SearchWindow& effort)
+void CandidateSearch::tryGrid(const SearchWindow& window)
 {
   Stopwatch watch;
   JointBuffers& buffers = match_.buffers;
-  buffers.correlativeSearch.propose(match_.scores, match_.guess.T_ref_cur, effort.limits,
+  buffers.correlativeSearch.propose(match_.scores, match_.guess.T_ref_cur, window.limits,
                                     buffers.hypotheses);
   match_.result.times.search_s += watch.lap_s();
-  considerMostPromising(effort.times * match_.options.refinedHypotheses);
+  refineBest(window.refinementBudgetFactor * match_.options.refinedHypotheses);
 }
 
 /** The search window of a guess with a covariance: three standard deviations, at most what is
@@ -163,8 +163,8 @@ void CandidateSearch::propose(const SearchLimits& limits)
 }
 
 /** Refines the hypotheses in descending order of their scores until a pose is convincing.
- *  @param most hypotheses that are refined */
-void CandidateSearch::considerMostPromising(int most)
+ *  @param maxStarts hypotheses that are refined at most */
+void CandidateSearch::refineBest(int maxStarts)
 {
   /** A hypothesis is not refined if its score is a smaller share of the best one. Unit: share.
    * Evidence: none of its own; it was chosen with the scheme as a whole. */
@@ -175,7 +175,7 @@ void CandidateSearch::considerMostPromising(int most)
   std::sort(starts.begin(), starts.end(),
             [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
   match_.result.times.search_s += watch.lap_s();
-  const std::size_t last = std::min(starts.size(), static_cast<std::size_t>(most));
+  const std::size_t last = std::min(starts.size(), static_cast<std::size_t>(maxStarts));
   for (std::size_t i = 0; i < last && !verifier_.isConvincing(best_); ++i)
   {
     if (starts[i].score < kHopeless * best_.score) break;
@@ -240,10 +240,7 @@ AlongLimits CandidateSearch::nearAlong() const
   /** How much less than the best such a place may score. Unit: score. Evidence: none of its own; it
    * was chosen with the scheme as a whole. */
   constexpr double kMissedPromise = 0.05;
-
-  /** Turn of the headings beside. Definition: no heading beside is tried near the pose. */
-  constexpr double kNoTurn_rad = 0;
-  return {match_.options.searchRadius_m, kNoTurn_rad, kMost, kMissedPromise};
+  return {match_.options.searchRadius_m, 0, kMost, kMissedPromise};
 }
 
 /** Far from the guess, the score of a start says less about its refined pose: more of them are

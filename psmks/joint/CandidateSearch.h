@@ -24,23 +24,30 @@ class CandidateSearch
    * match allocates. */
   void reserve();
 
-  /** Refines a start and keeps the refined pose if it is the best so far. A start that explained
-   * more rays than its refined pose was drawn to lines that are not its own, such as the other face
-   * of a thin wall: it is refined once more with narrower gates. */
+  /** Refines a start and keeps the refined pose if it is the best so far. Up to two refinements
+   *  more, with the first gates half as wide, are kept in the same way:
+   *
+   *  - of the refined pose turned to its best line pair, where these two lines are left at an angle
+   *    that chance does not explain (RefinedPose::bestPairAngleResidual_rad);
+   *  - of the start, where the refined pose is not convincing (PoseVerifier) and scores lower than
+   *    the start: it was associated with wrong lines, such as the other face of a thin wall. */
   void refineAndKeep(const Pose2& start);
 
-  /** Refines the poses that segment angles and line intersections vote for, and places along walls,
-   * in descending order of their scores, until a pose is convincing (PoseVerifier). */
+  /** Refines the poses that segment angles and line intersections vote for, then, unless the guess
+   *  is used as a measurement, places along walls where the best pose associates more than a
+   *  quarter of the rays; both in descending order of their scores, until a pose is convincing
+   *  (PoseVerifier). */
   void searchFurther();
 
   /** Refines the best poses of a grid (CorrelativeSearch). About a guess without a covariance the
-   * grid covers `wide_radius_m` and `wide_angle_deg`; about one with a covariance three standard
-   * deviations. Such a pose replaces an acceptable one that was found before only where it explains
-   * a tenth more of the rays, for rooms look alike from many sides.
+   *  grid covers JointOptions::wideRadius_m and wideAngle_rad; about one with a covariance three
+   *  standard deviations, at most searchRadius_m and searchAngle_rad. Such a pose replaces an
+   *  acceptable one that was found before only where it explains a tenth more of the rays, for
+   *  rooms look alike from many sides.
    *
-   * Where a guess with a covariance leaves no acceptable pose it is given up: the grid covers
-   * `search_radius_m` and `wide_angle_deg`, and a pose that is beyond doubt (PoseVerifier) is kept.
-   * MatchResult::guessGivenUp says so, and from then on the match goes on as without a covariance.
+   *  Where a guess with a covariance leaves no acceptable pose it is given up: the grid covers
+   *  searchRadius_m and wideAngle_rad, and a pose that is beyond doubt (PoseVerifier) is kept.
+   *  MatchResult::guessGivenUp says so, and from then on the match goes on as without a covariance.
    */
   void searchWide();
 
@@ -60,15 +67,15 @@ class CandidateSearch
   struct SearchWindow
   {
     CorrelativeLimits limits;
-    int times;  //!< how many times `refined_hypotheses` starts are refined at most
+    int refinementBudgetFactor;  //!< times JointOptions::refinedHypotheses: most refined starts
   };
 
   void keepIfBest(const RefinedPose& candidate);
   static Pose2 rotatedToBestLinePair(const RefinedPose& candidate);
   void propose(const SearchLimits& limits);
-  void considerMostPromising(int most);
+  void refineBest(int maxStarts);
   void searchDespiteGuess();
-  void tryGrid(const SearchWindow& effort);
+  void tryGrid(const SearchWindow& window);
   SearchWindow withinGuess() const;
   SearchWindow farFromGuess() const;
   SearchWindow turnedFromGuess() const;

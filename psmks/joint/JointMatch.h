@@ -34,7 +34,7 @@ struct JointBuffers
  * is known. Steps add their iterations and times to the result. */
 struct JointMatch
 {
-  /** All arguments are kept by reference; the views of the buffers are those of the scans.
+  /** All arguments are kept by reference; the features in the buffers are those of the scans.
    *  @param external null unless options.solver is Ceres
    *  @param trace may be null */
   JointMatch(const Guess& guess, const JointOptions& options, const ExternalSolvers* external,
@@ -67,8 +67,8 @@ struct JointMatch
    * know less than half of what a single ray knows that meets a wall head-on. */
   double weakDirectionSigma_m() const
   {
-    /** Standard deviation of the position from which on it is not observable. Unit: standard
-     * deviations of a range. Evidence: none of its own; it was chosen with the scheme as a whole.
+    /** Standard deviation of the position above which it is weakly observable. Unit: standard
+     *  deviations of a range. Evidence: none of its own; it was chosen with the scheme as a whole.
      */
     constexpr double kHalfARay = 1.5;
     return std::max(options.weakDirectionSigma_m, kHalfARay * rangeSigma_m);

@@ -30,16 +30,16 @@ struct JointOptions
   double angleGate_rad = degToRad(10);  //!< between associated lines, first association
   double kernelWidth = 3.0;             //!< standard deviations at which a line pair loses weight
   double singleRayWeight = 0.5;         //!< of unsegmented rays
-  int reassociations = 3;
-  int maxIterations = 10;  //!< Gauss-Newton steps per association
+  int reassociations = 3;               //!< rounds of a refinement, at most (Refinement::refine())
+  int maxIterations = 10;               //!< Gauss-Newton steps per association
   double stopTranslation_m = 1e-4;
   double stopRotation_rad = degToRad(1e-3);
   JointSolver solver = JointSolver::GaussNewton;
   // Acceptance
   int minAssociations = 10;             //!< fewer associated rays fail
   double acceptScore = 0.65;            //!< a lower free-space score fails
-  double weakDirectionSigma_m = 0.015;  //!< a direction known worse is not observable
-  double unobservableSigma_m = 0.05;    //!< of a direction known worse, the guess is kept
+  double weakDirectionSigma_m = 0.015;  //!< a direction known worse is flagged as weak
+  double unobservableSigma_m = 0.05;    //!< along a direction known worse, the guess is kept
   double weakHeadingSigma_rad = degToRad(1.0);
 };
 

@@ -7,7 +7,7 @@ namespace psmks
 {
 namespace
 {
-/** The views of both scans, and nothing left of the match before. */
+/** Builds the features of both scans and drops the refined poses of the match before. */
 void fill(JointBuffers& buffers, const SegmentedScan& reference, const SegmentedScan& current)
 {
   buffers.refinedPoses.clear();

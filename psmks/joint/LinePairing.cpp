@@ -49,7 +49,7 @@ class Pairing
   {
     for (std::size_t c = 0; c < lineFeatures(cur_); ++c)
       if (!isRound(cur_, cur_.lineFeatures[c])) pairLineFeature(c);
-    if (gates_.fine)
+    if (gates_.pairShortLinesAndCircles)
     {
       circles_ = pairCircles(ref_.circles, cur_.circles, T_ref_cur_, gates_.distance_m,
                              problem_.circlePairs);
@@ -62,15 +62,17 @@ class Pairing
 
  private:
   /** How many of a scan's straight lines are to be paired. */
-  std::size_t lineFeatures(const ScanFeatures& view) const
+  std::size_t lineFeatures(const ScanFeatures& features) const
   {
-    return gates_.fine ? view.lineFeatures.size() : view.scan->segments.size();
+    return gates_.pairShortLinesAndCircles ? features.lineFeatures.size()
+                                           : features.scan->segments.size();
   }
 
   /** Whether a segment has turned out to be part of an arc and is left to the circles. */
-  bool isRound(const ScanFeatures& view, const Segment& straight) const
+  bool isRound(const ScanFeatures& features, const Segment& straight) const
   {
-    return gates_.fine && view.circleOfRay[static_cast<std::size_t>(straight.firstRay)] >= 0;
+    return gates_.pairShortLinesAndCircles &&
+           features.circleOfRay[static_cast<std::size_t>(straight.firstRay)] >= 0;
   }
 
   double index(const Eigen::Vector2d& p_ref_m) const
@@ -155,7 +157,9 @@ class Pairing
     const Eigen::Vector2d t = T_to_from.translation();
     for (const int single : from.unsegmentedRays)
     {
-      if (isTaken(from, current ? circles_.current : circles_.reference, single)) continue;
+      if (isOnShortLineOrPairedCircle(from, current ? circles_.current : circles_.reference,
+                                      single))
+        continue;
       const Eigen::Vector2d point_m = from.scan->point_m(single);
       const Eigen::Vector2d p_m = R * point_m + t;
       const int line = nearestLine(to, p_m);
@@ -172,27 +176,30 @@ class Pairing
     }
   }
 
-  /** Whether a single ray has had its say with a short line or a circle. */
-  bool isTaken(const ScanFeatures& view, const std::bitset<kMostCircles>& paired, int ray) const
+  /** Whether an unsegmented ray is no single ray: it lies on a short line, paired or not, or on a
+   * circle that was paired. */
+  bool isOnShortLineOrPairedCircle(const ScanFeatures& features,
+                                   const std::bitset<kMostCircles>& paired, int ray) const
   {
-    if (!gates_.fine) return false;
-    const int circle = view.circleOfRay[static_cast<std::size_t>(ray)];
-    return isOnLineFeature(view, ray) || (circle >= 0 && paired[static_cast<std::size_t>(circle)]);
+    if (!gates_.pairShortLinesAndCircles) return false;
+    const int circle = features.circleOfRay[static_cast<std::size_t>(ray)];
+    return isOnLineFeature(features, ray) ||
+           (circle >= 0 && paired[static_cast<std::size_t>(circle)]);
   }
 
-  static bool isOnLineFeature(const ScanFeatures& view, int ray)
+  static bool isOnLineFeature(const ScanFeatures& features, int ray)
   {
-    const int line = view.lineOfRay[static_cast<std::size_t>(ray)];
-    return line >= 0 && line < static_cast<int>(view.lineFeatures.size());
+    const int line = features.lineOfRay[static_cast<std::size_t>(ray)];
+    return line >= 0 && line < static_cast<int>(features.lineFeatures.size());
   }
 
   /** Of the lines at the bearing of a point the nearer one within the gate, or -1. */
-  int nearestLine(const ScanFeatures& view, const Eigen::Vector2d& p_m) const
+  int nearestLine(const ScanFeatures& features, const Eigen::Vector2d& p_m) const
   {
     const auto x = static_cast<float>(p_m.x()), y = static_cast<float>(p_m.y());
-    const int k = view.surface.cellOf(x, y);
+    const int k = features.surface.cellOf(x, y);
     if (k < 0) return -1;
-    const PolarLookup::Side* sides = view.surface.sides(k);
+    const PolarLookup::Side* sides = features.surface.sides(k);
     int nearest = -1;
     float best_m = static_cast<float>(gates_.distance_m);
     for (int side = 0; side < 2; ++side)
@@ -217,8 +224,8 @@ class Pairing
 };
 }  // namespace
 
-int pairLines(const ScanFeatures& reference, const ScanFeatures& current, const Pose2& T_ref_cur,
-              const PairingGates& gates, JointProblem& problem)
+int associateFeatures(const ScanFeatures& reference, const ScanFeatures& current,
+                      const Pose2& T_ref_cur, const PairingGates& gates, JointProblem& problem)
 {
   return Pairing(reference, current, T_ref_cur, gates, problem).run();
 }

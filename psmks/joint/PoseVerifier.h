@@ -12,9 +12,9 @@ class PoseVerifier
  public:
   explicit PoseVerifier(const JointMatch& match) : match_(match) {}
 
-  /** Whether a pose ends the search: it has converged, its score reaches `confident_score`, or
-   * `agreed_score` where it agrees with the guess, lines hold it (isHeldByLines()), and its
-   * position is fixed or the guess is used as a measurement. */
+  /** Whether a pose ends the search: it has converged, its score reaches
+   *  JointOptions::confidentScore, or agreedScore where it agrees with the guess, lines hold it
+   *  (isHeldByLines()), and its position is fixed or the guess is used as a measurement. */
   bool isConvincing(const RefinedPose& pose) const;
 
   /** Whether the true pose may be far from this one: the pose is not acceptable, or fewer than 87 %
@@ -29,8 +29,8 @@ class PoseVerifier
    * the scans do not fix the position. */
   bool mayBeFarOff(const RefinedPose& pose) const;
 
-  /** Whether a match with this pose is accepted: its score reaches `accept_score`, or 0.1 more
-   * where it contradicts the guess. */
+  /** Whether a match with this pose is accepted: its score reaches JointOptions::acceptScore, or
+   *  0.1 more where it contradicts the guess. */
   bool isAcceptable(const RefinedPose& pose) const;
 
   /** What refined poses are compared by: the score, less 0.02 where the position is not fixed.

@@ -16,11 +16,19 @@ class Refinement
   /** Refines a start and scores the pose that it leads to; the score is -1 where fewer rays than
    *  JointOptions::minAssociations were associated.
    *
-   *  Each association pairs lines, circles and single rays within gates, and Gauss-Newton solves
-   * for the pose with the pairs held fixed; the gates are halved from one to the next. The prior is
-   * the guess where it is used as a measurement, else the start of the association with 0.3 m and
-   * 20 degrees, which acts only along what the scans do not fix.
-   *  @param firstShare of the gates of the options, for the first association */
+   *  Each round associates lines and single rays within gates, and Gauss-Newton solves for the pose
+   *  with the associations held fixed. Of n = JointOptions::reassociations rounds
+   *
+   *  - the first n - 1 use the gates of the options times `firstShare`, 1/2 and 1/4 of it, ..., and
+   *    end early once most rays are associated and the pose has settled;
+   *  - the last uses a quarter of the gates whatever came before (`firstShare` of them where n is
+   *    1), pairs short lines and circles too, and is repeated at most twice, while it associates
+   *    most rays and still moves the pose.
+   *
+   *  The gate of distances is never narrower than the range noise demands. The prior is the guess
+   *  where it is used as a measurement, else the start of the round with 0.3 m and 20 degrees,
+   *  which acts only along what the scans do not fix.
+   *  @param firstShare share of the gates of the options in the first round */
   RefinedPose refine(const Pose2& start, double firstShare = 1);
 
  private:

@@ -20,21 +20,24 @@ enum class MatchStatus
   /** No match was made: the result was constructed by default. Failure. */
   NotRun,
 
-  /** The scans fix position and heading. The last step fell below `stop_translation_m` and
-   *  `stop_rotation_deg`, or (paper) a further alternation would raise the matching error. Usable.
-   *  Whether the guess agrees is another question: see MatchResult::contradictsGuess(). */
+  /** The scans fix position and heading. The last step fell below `stopTranslation_m` and
+   *  `stopRotation_rad` of the scheme's options (ini: `stop_translation_m`, `stop_rotation_deg`),
+   *  or (paper) a further alternation would raise the matching error. Usable. Whether the guess
+   *  agrees is another question: see MatchResult::contradictsGuess(). */
   Converged,
 
-  /** As Converged, but `max_iterations` ran out before the steps were that short. The pose is the
-   *  best estimate so far. Usable. */
+  /** As Converged, but `maxIterations` of the scheme's options (ini: `max_iterations`) ran out
+   *  before the steps were that short. The pose is the best estimate so far. Usable. */
   MaxIterations,
 
-  /** Fewer than `min_associations` rays were associated. Failure. */
+  /** Fewer rays were associated than `minAssociations` of the scheme's options (ini:
+   *  `min_associations`). Failure. */
   TooFewAssociations,
 
-  /** Joint scheme: no pose that was tried reached `accept_score`, or 0.1 more where it contradicts
-   *  the guess. Paper's scheme: the matching error did not fall below that of the guess, or the
-   *  residuals not to `max_residual_m`. Failure. */
+  /** Joint scheme: no pose that was tried reached JointOptions::acceptScore (ini:
+   *  `joint.accept_score`), or 0.1 more where it contradicts the guess. Paper's scheme: the
+   *  matching error did not fall below that of the guess, or the residuals not to
+   *  PaperOptions::maxResidual_m (ini: `paper.max_residual_m`). Failure. */
   NoImprovement,
 
   /** As Converged or MaxIterations, but the scans leave something open. At least one of
@@ -85,8 +88,11 @@ struct MatchResult
   /** Lack of constraint, as along a bare corridor: unit vector u in the axes of the reference frame
    *  along which the scans do not fix the position. Set where the standard deviation of the
    *  position along its worst known direction, from the scans alone and with the heading estimated
-   *  too, exceeds `unobservable_sigma_m` and 1.5 times the standard deviation of a range (joint),
-   *  or `weak_direction_sigma_m` (paper).
+   *  too, exceeds
+   *
+   *  - joint: JointOptions::unobservableSigma_m (ini: `joint.unobservable_sigma_m`),
+   *    weakDirectionSigma_m and 1.5 times the standard deviation of a range;
+   *  - paper: PaperOptions::weakDirectionSigma_m (ini: `paper.weak_direction_sigma_m`).
    *
    *  Along u the pose is exactly the guess and the variance exactly that of the guess: whatever the
    *  scans say about that component of the position is given up. Across u, and in the heading, both
@@ -95,32 +101,41 @@ struct MatchResult
 
   /** Weak constraint, as along a corridor with a few door jambs: unit vector in the axes of the
    *  reference frame along which the scans fix the position badly. Set where the same standard
-   *  deviation exceeds `weak_direction_sigma_m` and 1.5 times that of a range, and is too small
-   *  for `unobservableDirection`. Pose and covariance are the estimate in all directions; the
-   *  covariance shows how well this one is known. Joint scheme only. */
+   *  deviation exceeds JointOptions::weakDirectionSigma_m (ini: `joint.weak_direction_sigma_m`) and
+   *  1.5 times that of a range, and is too small for `unobservableDirection`. Pose and covariance
+   *  are the estimate in all directions; the covariance shows how well this one is known. Joint
+   *  scheme only. */
   std::optional<Eigen::Vector2d> weakDirection;
 
-  /** True where the scans do not fix the heading, as in a round room: its standard deviation, from
-   *  the scans alone and with the position estimated too, exceeds `weak_heading_sigma_deg`; or
-   *  (joint) no pair of lines fixes its direction to 0.25 degrees, a start turned by 5 degrees
-   *  stays away and has a free-space score at most 0.03 lower, and so has the guess's heading.
+  /** True where the scans do not fix the heading, as in a round room. Set where its standard
+   *  deviation, from the scans alone and with the position estimated too, exceeds
+   *  `weakHeadingSigma_rad` of the scheme's options (ini: `weak_heading_sigma_deg`), or (joint)
+   *  where all of the following hold:
+   *
+   *  - no pair of lines fixes its direction to 0.25 degrees;
+   *  - another heading explains the scans as well: a start turned by 5 degrees ends more than
+   *    `weakHeadingSigma_rad` away, with a free-space score less than 0.03 lower;
+   *  - the heading of the guess explains them as well: a start turned to it ends with a score less
+   *    than 0.03 lower, too.
    *
    *  The heading is exactly that of the guess, with its variance, and the position the one that
    *  suits this heading. The variance of the heading carries over to the position. Position and
    *  heading are correlated accordingly. */
   bool headingUnobservable = false;
 
-  /** Ambiguity between optima, as between equal doors: other refined poses explain the scans as
-   *  well and do not contradict the guess. Set where such a pose has a free-space score at most
-   *  0.05 lower (0.2 where lines hold less than half of the rays that lie on surfaces) and the
-   *  same heading to 2 degrees, and lies more than 0.1 m away, distances along
-   *  `unobservableDirection` left out; or where another heading does as under
-   *  `headingUnobservable` but that of the guess does not. Joint scheme only, and among the poses
-   *  that were tried: its absence proves nothing.
+  /** Ambiguity between optima, as between equal doors: other poses explain the scans as well. Joint
+   *  scheme only, and among the poses that were tried: its absence proves nothing. Alternatives are
+   *
+   *  - a refined pose that does not contradict the guess, has the same heading to 2 degrees, lies
+   *    more than 0.1 m away, distances along `unobservableDirection` left out, and has a free-space
+   *    score at most 0.05 lower, or 0.2 where fewer than half of the rays that lie on surfaces are
+   *    associated; or
+   *  - a pose with another heading, where the first two conditions of the list under
+   *    `headingUnobservable` hold and the third does not.
    *
    *  The pose is the optimum with the highest score, not the guess, nor a mean. For each
-   *  alternative, d away from it in (x, y, phi), d d' is added to the covariance once, so that
-   *  one standard deviation reaches every alternative. */
+   *  alternative, d away from it in (x, y, phi), d d' is added to the covariance once, so that one
+   *  standard deviation reaches every alternative. */
   std::optional<Ambiguity> ambiguity;
 
   /** How far the guess is from what the scans alone say. Set by the joint scheme where a usable
@@ -132,8 +147,11 @@ struct MatchResult
    *  contradictsGuess() tells the reason. */
   bool guessGivenUp = false;
 
-  /** Free-space score of the best pose: the share of the rays that the other scan explains, 0 to 1.
-   *  In a failure that of the best pose that was refused, or 0. */
+  /** Free-space score of the best pose, 0 to 1: a weighted share of the rays that the other scan
+   *  could judge, 1 where all of them lie on its surfaces (freeSpaceScore()). It is no plain share
+   *  of the rays: rays that the other scan could not see are left out, and rays that may have been
+   *  hidden or may lie on a moved object count in part. In a failure that of the best pose that was
+   *  refused, or 0. */
   double score = 0;
 
   int associations = 0;  //!< associated rays of the pose that the score belongs to

@@ -8,13 +8,13 @@ namespace psmks
 enum class SearchScope
 {
   /** As far as the options allow. The joint scheme tries a grid of poses, up to
-   * `joint.wide_radius_m` and `joint.wide_angle_deg` from the guess, where no pose nearer to it
-   * explains the scans, and gives up a guess with a covariance that leaves nothing acceptable. */
+   *  JointOptions::wideRadius_m and wideAngle_rad from the guess, where no pose nearer to it
+   *  explains the scans, and gives up a guess with a covariance that leaves nothing acceptable. */
   Full,
 
   /** Without that grid of poses: cheap to refuse, for one of several guesses of which most are
    *  wrong, such as those of keyframes that may show the same place. The joint scheme still looks
-   *  for poses that lines vote for within `joint.search_radius_m` and `joint.search_angle_deg`, and
+   *  for poses that lines vote for within JointOptions::searchRadius_m and searchAngle_rad, and
    *  along walls that leave the place of a guess without covariance open. */
   NearGuess
 };

@@ -26,7 +26,7 @@ struct Scene
 
   int pair(const Pose2& guess, JointProblem& problem) const
   {
-    return pairLines(reference, current, guess, kGates, problem);
+    return associateFeatures(reference, current, guess, kGates, problem);
   }
 
   Pose2 T_ref_cur;
@@ -167,9 +167,9 @@ TEST(LinePairing, CirclesTakeTheRaysOfThePillarsTheyStandFor)
 
   JointProblem before, last;
   PairingGates gates = kGates;
-  pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, before);
-  gates.fine = true;
-  pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, last);
+  associateFeatures(scene.reference, scene.current, scene.T_ref_cur, gates, before);
+  gates.pairShortLinesAndCircles = true;
+  associateFeatures(scene.reference, scene.current, scene.T_ref_cur, gates, last);
   EXPECT_TRUE(before.circlePairs.empty());
   EXPECT_GT(before.rays.size(), 20U);
   ASSERT_EQ(last.circlePairs.size(), 1U);
@@ -186,9 +186,9 @@ TEST(LinePairing, TheSlackOfAStartWidensSingleRays)
   scene.current.build(scene.currentScan);
   JointProblem tight, slack;
   PairingGates gates = kGates;
-  pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, tight);
+  associateFeatures(scene.reference, scene.current, scene.T_ref_cur, gates, tight);
   gates.unsegmentedRaySlack_m = 0.02;
-  pairLines(scene.reference, scene.current, scene.T_ref_cur, gates, slack);
+  associateFeatures(scene.reference, scene.current, scene.T_ref_cur, gates, slack);
   ASSERT_EQ(tight.rays.size(), 1u);
   ASSERT_EQ(slack.rays.size(), 1u);
   const double weight = gates.singleRayWeight;

@@ -138,10 +138,10 @@ TEST(Refinement, KeepsTheWallsOfANoisyScan)
     JointMatch match = scene.match();
     kept += Refinement(match).refine(kT_ref_cur).associations;
     PairingGates open{2, degToRad(45), scene.options.singleRayWeight};
-    open.fine = true;
+    open.pairShortLinesAndCircles = true;
     JointProblem problem;
-    pairable +=
-        pairLines(scene.buffers.reference, scene.buffers.current, kT_ref_cur, open, problem);
+    pairable += associateFeatures(scene.buffers.reference, scene.buffers.current, kT_ref_cur, open,
+                                  problem);
   }
   EXPECT_GT(kept, 7 * pairable / 8) << pairable;
 }
