@@ -29,10 +29,10 @@ void listFields(OptionTable& table, JointOptions& o)
   table.add(
       "distance_gate_m", o.distanceGate_m, Unit::Metre, 1e-3, 10,
       "lines farther apart are not associated, first association; halved at each further one, "
-      "but for noise");
-  table.add(
-      "angle_gate_deg", o.angleGate_rad, Unit::Degree, 0, degToRad(90),
-      "lines at a larger angle are not associated, first association; halved at each further one");
+      "a quarter at the last, but for noise");
+  table.add("angle_gate_deg", o.angleGate_rad, Unit::Degree, 0, degToRad(90),
+            "lines at a larger angle are not associated, first association; halved at each further "
+            "one, a quarter at the last");
   table.add("kernel_width", o.kernelWidth, Unit::None, 0.1, 1e3,
             "standard deviations at which a whole line pair begins to lose its weight (Cauchy)");
   table.add("single_ray_weight", o.singleRayWeight, Unit::None, 0, 1,
