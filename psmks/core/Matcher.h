@@ -34,7 +34,35 @@ class MatcherWorkspace
   std::unique_ptr<Buffers> buffers_;
 };
 
-/** Estimates the motion between two scans by PSM-KS (Cuadra Troncoso et al., 2015).
+/** Estimates the motion between two scans on lines that a Kalman filter finds in them (PSM-KS), by
+ * one of two schemes: Scheme::Joint, the default, is this project's own, and Scheme::Paper is that
+ * of Cuadra Troncoso et al., 2015.
+ *
+ * Both begin with the lines:
+ *
+ * 1. segmentScan() in segmentation/: noise of the ranges, lines (LineGrowing), their fit (fitLine).
+ *
+ * The joint scheme, matchByJointScheme() in joint/JointScheme.cpp:
+ *
+ * 2. ScanFeatures::build() in features/ adds circles, short lines, surfels, movable objects, and
+ *    the surface that is seen at every bearing.
+ * 3. Refinement::refine() in joint/ leads a start to a pose, first the guess if it scores well:
+ *    associateFeatures() and solveByGaussNewton() take turns; freeSpaceScore() scores the end.
+ * 4. PoseVerifier in joint/ judges. Unless the pose is convincing, CandidateSearch::searchFurther()
+ *    refines the poses that lines vote for (HypothesisSearch), and for a guess without a covariance
+ *    places along walls.
+ * 5. If it is doubtful, CandidateSearch::searchWide() refines poses of a grid (CorrelativeSearch).
+ * 6. A convincing pose that few rays hold, from a guess without a covariance, is tried again from
+ *    beside it: CandidateSearch::probeAlternatives().
+ * 7. JointConclusion::conclude() in joint/ accepts or refuses, takes from the guess what the scans
+ *    leave open, and settles covariance and ambiguity.
+ *
+ * The paper's scheme, matchByPaperScheme() in paper/PaperScheme.cpp, repeats from the guess on:
+ *
+ * 2. searchOrientation() in paper/ turns the current scan to where PoseObjective::evaluate() is
+ *    best: projectScan(), associate(), matchingError().
+ * 3. solveTranslation() in paper/ gives the step of the position by linear regression.
+ * 4. In the end PaperCovariance in paper/ tells the covariance and what the scans leave open.
  *
  * A matcher is immutable: one may serve several threads at once, each with its own workspace. */
 class Matcher

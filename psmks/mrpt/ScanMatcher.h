@@ -14,6 +14,8 @@ namespace psmks
 {
 /** PSM-KS as an MRPT map alignment algorithm: a drop-in replacement for mrpt::slam::CICP. Beside
  *  maps it matches pairs of scans, which is more accurate than matching point maps made of them.
+ *  It matches by a Matcher: by this project's own scheme, Scheme::Joint, unless the options choose
+ *  Scheme::Paper, that of Cuadra Troncoso et al., 2015.
  *
  *  - Every pose is that of `m2` in the frame of `m1`, or that of the robot at the current scan in
  *    the frame of the robot at the reference scan: metres, radians, covariances of (x, y, phi).

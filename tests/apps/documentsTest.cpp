@@ -75,7 +75,8 @@ std::vector<std::string> trimmedLines(const std::string& text)
 std::vector<std::string> documents()
 {
   std::vector<std::string> pages = {"README.md",        "CONTRIBUTING.md",   "CHANGELOG.md",
-                                    "config/README.md", "rawlogs/README.md", "examples/README.md"};
+                                    "config/README.md", "rawlogs/README.md", "examples/README.md",
+                                    "psmks/README.md"};
   for (const auto& file : std::filesystem::directory_iterator(kSource + "/docs"))
     if (file.path().extension() == ".md")
       pages.push_back("docs/" + file.path().filename().string());
