@@ -10,7 +10,7 @@ namespace psmks
 {
 enum class Scheme
 {
-  Joint,  //!< Gauss-Newton over x, y, theta on line pairs and single rays (docs/derivations.md)
+  Joint,  //!< Gauss-Newton over x, y, phi on line pairs and single rays (docs/derivations.md)
   Paper   //!< alternating orientation search and translation regression (paper, section 2)
 };
 

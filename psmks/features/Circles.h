@@ -20,11 +20,13 @@ struct Circle
  * sets. */
 constexpr std::size_t kMostCircles = 64;
 
+// clang-format off
 /** Finds circles among the rays that are on no segment, or on short ones.
  *
  *       .--.
- *      (    )       A circle is seen by 4 consecutive rays or more. They bend significantly, and
- * lie o  o        on the circle within the noise of their ranges. oo
+ *      (    )       A circle is seen by 4 consecutive rays or more, which bend
+ *       o  o        significantly and lie on it within the noise of their ranges.
+ *        oo
  *         |
  *      scanner
  *
@@ -37,4 +39,5 @@ constexpr std::size_t kMostCircles = 64;
  *  @param[out] circleOfRay index into `circles` for every ray, or -1 */
 void findCircles(const SegmentedScan& scan, std::vector<Circle>& circles,
                  std::vector<int>& circleOfRay);
+// clang-format on
 }  // namespace psmks

@@ -5,12 +5,14 @@
 
 namespace psmks
 {
-/** Where a ray meets the surface of a straight or round thing, in the axes of the reference. */
+/** Where a ray meets the surface of an object, a line or a circle, in the axes of the reference. */
 struct SurfaceContact
 {
-  Eigen::Vector2d normal;      //!< unit vector
-  Eigen::Vector3d surfaceRow;  //!< how far the surface moves along it by each unknown of the thing
-  int unknowns;
+  Eigen::Vector2d normal;  //!< unit vector
+  /** Derivatives of the place of the surface along the normal with respect to the unknowns of the
+   * object; those beyond `unknowns` are 0. */
+  Eigen::Vector3d surfaceRow;
+  int unknowns;  //!< 2 of a line, 3 of a circle
 
   /** On a line: its distance, and its angle about a point of it.
    *  @param normal unit vector
@@ -27,7 +29,7 @@ struct SurfaceRay
 {
   Eigen::Vector2d origin_m, direction;
   double range_m;
-  double noise_m;     //!< measured minus true range; 0 where it is not known
+  double noise_m;     //!< error of this range, measured minus true; 0 where it is not known
   bool fromCurrent;   //!< moves with the error of T_ref_cur
   double weight = 1;  //!< see RangeNoise::weightAt()
 };
@@ -37,17 +39,20 @@ struct SurfaceRay
 struct PoseInformation
 {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d pull = Eigen::Vector3d::Zero();  //!< information * error = pull
+  /** Right side of the normal equations, information * error = pull: of the errors of the ranges
+   * that SurfaceRay::noise_m states. */
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();
 };
 
-/** Normal equations of all rays of two scans on one thing of unknown place. */
+/** Normal equations of all rays of two scans on one object, whose place, and angle or radius, are
+ * unknown. */
 class RangeInformation
 {
  public:
   /** Rays that graze the surface are left out: they say nothing linear about it. */
   void add(const SurfaceRay& ray, const SurfaceContact& contact);
 
-  /** Adds what is left for the pose once the thing's own unknowns have explained all they can:
+  /** Adds what is left for the pose once the object's own unknowns have explained all they can:
    * nothing where only one scan sees it or where there are no more rays than unknowns. */
   void addTo(PoseInformation& total) const;
 

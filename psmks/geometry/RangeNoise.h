@@ -15,7 +15,8 @@ namespace psmks
 struct RangeNoise
 {
   double sigma_m = 0;  //!< standard deviation at range 0; 0 = unknown
-  /** Growth of the standard deviation; 0 = the noise is the same at all ranges. */
+  /** Growth of the standard deviation, metres for each metre of range; 0 = the noise is the same at
+   * all ranges. */
   double sigmaPerMetre_m = 0;
 
   bool grows() const { return sigmaPerMetre_m > 0; }
@@ -27,8 +28,9 @@ struct RangeNoise
   }
   double sigmaAt_m(double range_m) const { return std::sqrt(varianceAt_m2(range_m)); }
 
-  /** The factor g of r^2 in the variance, written as sigma_m^2 (1 + g r^2). It needs sigma_m > 0
-   * unless the noise does not grow. */
+  /** The factor g of r^2 in the variance, written as sigma_m^2 (1 + g r^2), in 1/m^2: `_1_m2` in a
+   * name stands for 1/m^2, as `_1_m` does for 1/m. It needs sigma_m > 0 unless the noise does not
+   * grow. */
   double growth_1_m2() const
   {
     if (!grows()) return 0;

@@ -11,8 +11,9 @@ namespace psmks
 {
 /** A current line held against a reference line.
  *
- * Residual (2): distance of the current line's anchor from the reference line,
- * n.(R q + t) - d, and the angle between both, phi_cur + theta - phi_ref. */
+ * Two residuals: the distance of the current line's anchor from the reference line,
+ * n.(R q + t) - d, and the angle between both, phi_cur + phi - phi_ref, where (t, phi) is T_ref_cur
+ * and R turns by phi. */
 struct LinePairTerm
 {
   Eigen::Vector2d refNormal;      //!< n, reference frame
@@ -26,7 +27,7 @@ struct LinePairTerm
 
 /** A current circle held against a reference circle.
  *
- * Residual (2): R q + t - p. */
+ * Two residuals, the axes of R q + t - p. */
 struct CirclePairTerm
 {
   Eigen::Vector2d refCentre_m;  //!< p, where the current centre belongs, reference frame: the

@@ -23,10 +23,11 @@ struct ScanMatcherOptions : public mrpt::config::CLoadableOptions
   /** A scan whose scanner is tilted further out of the horizontal plane is not matched. */
   double maxTilt_rad = degToRad(5);
 
-  /** Time in which the scanner's beam goes once round, negative where that is against the order of
-   *  the rays; 0 = as the log states, else unknown. A robot that turns while the beam sweeps
-   *  distorts the scan, see straightenSweep(). ScanMatcher, which knows no motion, does not use it;
-   *  ObservationSlam and psmks-slam do. */
+  /** Time of one revolution of the scanner's beam. The sign is the sense: negative where the beam
+   *  passes the rays from the last to the first. 0 = as the log states, else unknown. A robot that
+   *  turns while the beam sweeps distorts the scan, see straightenSweep(). Used by toMountedScan(),
+   *  that is by ObservationSlam and by the programs that read logs; ScanMatcher, which knows no
+   *  motion, does not use it. */
   double beamTurn_s = 0;
 
   /** Reads the options that the file names; the others keep their values.

@@ -55,7 +55,7 @@ struct Projection
   /** The nearest of the projected surfaces along a reference ray. */
   struct Nearest
   {
-    double nearness_1pm = 0;  //!< 1 / range; 0 if there is no surface
+    double nearness_1pm = 0;  //!< 1 / range, in 1/m (1pm: one per metre); 0 if there is no surface
     int surface = -1;
   };
   std::vector<Nearest> nearest;  //!< one per reference ray
