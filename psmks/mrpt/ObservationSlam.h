@@ -25,8 +25,9 @@ struct ObservationSlamOptions
  *  one, as they come, and tells after each scan where the robot is.
  *
  * Everything that OnlineSlam promises holds here. A scan brings the pose of its sensor on the
- * robot, its scanning direction and its time; scans of several sensors may be mixed. The result's
- * pose as MRPT's Gaussian is `toMrpt(pose.T_world_robot)`. */
+ * robot, its scanning direction and its time. Scans of several sensors may be mixed; their noise is
+ * then judged as if one scanner had taken them all. The result's pose as MRPT's Gaussian is
+ * `toMrpt(pose.T_world_robot)`. */
 class ObservationSlam
 {
  public:

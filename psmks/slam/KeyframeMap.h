@@ -32,7 +32,8 @@ class KeyframeMap
     Pose2 T_keyframe_cur;      //!< where the robot at the scan would be, seen from the keyframe's
   };
 
-  /** The nearest keyframe within reach that saw enough of a scan, where the scan is said to be.
+  /** The nearest keyframe within reach that saw enough of a scan, the pose of the scan being taken
+   * for right. Nearness is ReferencePolicy::normalizedDistance(), of position and heading.
    *  @return none where no keyframe did */
   std::optional<std::size_t> nearest(const std::vector<PosedScan>& scans,
                                      const PosedScan& current) const;
@@ -52,9 +53,10 @@ class KeyframeMap
   /** Whether a keyframe near a scan saw enough of it, so that the scan need not become one. */
   bool covers(const std::vector<PosedScan>& scans, const PosedScan& current) const;
 
-  /** Adds the scan with this index as a keyframe at its present pose. Where the links contradict
-   * the poses by more than a centimetre, the poses of the last keyframes are set anew, and those of
-   * all keyframes where it is more than 5 cm; what is less waits for the next time.
+  /** Adds the scan with this index as a keyframe at its present pose. Where a link contradicts
+   * the poses by more than 1 cm, a heading error counted at a distance of 2 m, the poses of the
+   * last keyframes are optimised, and those of all keyframes where it is more than 5 cm. A smaller
+   * contradiction waits for the next link or for optimise().
    *  @param links poses of the scan seen from other scans; those from scans that are no keyframes
    * are left out */
   void add(std::vector<PosedScan>& scans, std::size_t index,

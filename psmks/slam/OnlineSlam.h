@@ -43,7 +43,9 @@ struct OnlinePose
 
   /** The robot in the world, which is the frame of the robot at the first scan. The covariance
    *  holds the noise of the ranges and of the odometry, to first order, along the way from the
-   *  first scan. On real walls, which are not exactly straight, errors are larger than it says. */
+   *  first scan. On real walls, which are not exactly straight, errors are larger: the covariance
+   * of a single match is too small by a factor of 15 for a low-cost scanner
+   * (docs/when-it-fails.md). */
   UncertainPose T_world_robot;
 
   PoseSource source = PoseSource::FirstScan;

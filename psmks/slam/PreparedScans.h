@@ -16,8 +16,8 @@ namespace psmks
  * prepared anew when it is asked for again, with the same result.
  *
  * The noise of the scanner is learnt here: every scan counts once, when it is asked for the first
- * time. Where the scans so far turn what is believed of the noise around, a kept scan that shows
- * more noise than stated is prepared anew, for its lines depend on it. So what is returned depends
+ * time. When ScannerNoise::isBelieved() changes, a kept scan that shows more noise than stated is
+ * segmented anew, for its lines depend on it. So what is returned depends
  * on which scans were asked for before, and never on which of them are still kept. */
 class PreparedScans
 {

@@ -33,21 +33,21 @@ struct Drift
 struct ReferenceOptions
 {
   ReferenceChoice choice = ReferenceChoice::Map;
-  bool matchEveryScan = true;              //!< false: only scans a trigger away (paper)
-  double triggerDistance_m = 0.80;         //!< sequential, and the least of keyframe
-  double triggerAngle_rad = degToRad(20);  //!< sequential, and the least of keyframe
-  double keyframeDistance_m = 2.0;
-  double keyframeAngle_rad = degToRad(40);
-  int keyframeMinRays = 30;        //!< compared with MatchResult::associations
-  double keyframeMinScore = 0.50;  //!< compared with MatchResult::score
-  double mapSpacing_m = 1.0;
-  double mapSpacing_rad = degToRad(30);
-  double mapDistance_m = 4.0;
-  double mapAngle_rad = degToRad(60);
-  double mapMinOverlap = 0.5;   //!< compared with overlap()
-  double mapMinScore = 0.8;     //!< MatchResult::score of a match that links keyframes
-  double mapDriftShare = 0.03;  //!< of the way driven, by which a position may be off
-  double mapDriftPerMetre_rad = degToRad(0.1);
+  bool matchEveryScan = true;               //!< false: only scans a trigger away (paper)
+  double triggerDistance_m = 0.80;          //!< sequential, and the least of keyframe
+  double triggerAngle_rad = degToRad(20);   //!< sequential, and the least of keyframe
+  double keyframeDistance_m = 2.0;          //!< keyframe: replaced at the latest, moved so far
+  double keyframeAngle_rad = degToRad(40);  //!< keyframe: replaced at the latest, turned so far
+  int keyframeMinRays = 30;                 //!< compared with MatchResult::associations
+  double keyframeMinScore = 0.50;           //!< compared with MatchResult::score
+  double mapSpacing_m = 1.0;                //!< map: no new keyframe within this of one ...
+  double mapSpacing_rad = degToRad(30);     //!< ... and within this
+  double mapDistance_m = 4.0;          //!< map and keyframe: keyframes within this are tried ...
+  double mapAngle_rad = degToRad(60);  //!< ... and within this
+  double mapMinOverlap = 0.5;          //!< compared with overlap()
+  double mapMinScore = 0.8;            //!< MatchResult::score of a match that links keyframes
+  double mapDriftShare = 0.03;         //!< of the way driven, by which a position may be off
+  double mapDriftPerMetre_rad = degToRad(0.1);  //!< heading drift, for each metre driven
   int keyframeWindow = 20;               //!< a new keyframe is linked to some of the last so many
   int mapLinks = 6;                      //!< matches that link a new keyframe to those around it
   double linkSigma_m = 0.005;            //!< added to each link, see linkCovariance()

@@ -27,8 +27,8 @@ struct ScanMap
                                           //!< odometry never moved
 };
 
-/** @param options those of the matcher, by which the scans are segmented once more; each scan is
- * believed in the noise that it shows */
-
+/** Puts the returns of all scans and the walls of the references at their poses in the world.
+ *  @param options those of the matcher, by which each scan is segmented once more, with the noise
+ *      that it shows itself */
 ScanMap makeScanMap(const std::vector<PosedScan>& scans, const MatcherOptions& options);
 }  // namespace psmks

@@ -19,12 +19,13 @@ UncertainPose motionBetweenMatches(const Pose2& T_a_b, const UncertainPose& T_a_
   return {T_b_a * T_a_c.pose, R * T_a_c.covariance * R.transpose()};
 }
 
-/** The covariance of a guess that is where a match starts, and no measurement. It is so wide that
- * the guess moves no result by 0.01 mm. */
+/** The covariance of a guess that is where a match starts, and no measurement. It pulls the result
+ * by (sigma of the scans / 0.5 m)^2 of its own error: 0.2 mm where the scans know a direction to
+ * 15 mm and the guess is 0.2 m off. To the matcher it is a guess with a covariance all the same. */
 Eigen::Matrix3d vagueCovariance()
 {
-  /** Standard deviations of a guess that is a start and no measurement. Definition: so wide that
-   * they move no result by 0.01 mm. */
+  /** Standard deviations of a guess that is a start and no measurement. Definition: as wide as the
+   * search about a keyframe, so that they move a result by less than its own uncertainty. */
   constexpr double kSigma_m = 0.5, kSigma_rad = degToRad(10);
   return Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigma_rad * kSigma_rad)
       .asDiagonal();
@@ -90,8 +91,9 @@ void TrajectoryBuilder::append(Scan scan, const Pose2& T_robot_sensor,
 
 /** Makes the keyframe that is nearest to the current scan the reference.
  *
- * The ways on which the map places this keyframe and the last scan may share errors. Taken as
- * independent they make the prediction less certain than it is, which does no harm. */
+ * The ways on which the map places this keyframe and the last scan may share errors. They are taken
+ * as independent, which makes the covariance of the prediction too wide and so the test of a match
+ * against the prediction too mild, never too strict. */
 void TrajectoryBuilder::chooseKeyframe()
 {
   const auto keyframe = map_.nearest(scans_, current());
@@ -138,8 +140,9 @@ void TrajectoryBuilder::retryWithPrevious(const UncertainPose& motion)
   makeReference(last);
 }
 
-/** Matches the current scan as if there was no odometry: the wheels may have slipped, or their
- * encoders may have missed that they turned backwards. */
+/** Matches the current scan once more from the odometry, with the covariance of a motion that
+ * nobody measured added to that of the odometry: the wheels may have slipped, or their encoders may
+ * have missed that they turned backwards. */
 void TrajectoryBuilder::retryWithWidePrior(const UncertainPose& motion)
 {
   const UncertainPose doubted{motion.pose,
@@ -174,8 +177,9 @@ void TrajectoryBuilder::makeReference(std::size_t index)
   failuresInARow_ = 0;
 }
 
-/** Adds a scan to the map as a keyframe. It is linked to the reference by what placed it, a match
- * or odometry, and to keyframes around it by matches that agree with each other. */
+/** Adds a scan to the map as a keyframe. It is linked to the reference by its pose there, which is
+ * that of the last match or the prediction from odometry or from the map, and to keyframes around
+ * it by matches that agree with each other. */
 void TrajectoryBuilder::addToMap(std::size_t index)
 {
   PosedScan& keyframe = scans_[index];

@@ -26,8 +26,8 @@ namespace psmks
  * 2. Choose the reference: with a map the nearest keyframe that saw enough of the scan, else the
  *    one that stands.
  * 3. Match against the reference, with the prediction and its covariance as a prior. A match that
- *    fails or explains little is tried again against the scan before, and after that with a prior
- *    as wide as if there was no odometry.
+ *    fails or explains little is tried again against the scan before, and after that from
+ *    the odometry with a covariance as wide as if there was none.
  * 4. Place: the match places the scan, or where all failed the prediction.
  * 5. Replace the reference by the scan, if ReferencePolicy says so. A keyframe is matched against
  *    the keyframes around it, and the matches link it into a graph of poses (KeyframeMap).
