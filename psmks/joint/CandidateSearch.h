@@ -47,8 +47,8 @@ class CandidateSearch
    *
    *  Where a guess with a covariance leaves no acceptable pose it is given up: the grid covers
    *  searchRadius_m and wideAngle_rad, and a pose that is beyond doubt (PoseVerifier) is kept.
-   *  MatchResult::guessGivenUp says so, and from then on the match goes on as without a covariance.
-   */
+   *  MatchResult::guessGivenUp says so, and from then on the match goes on as without a
+   *  covariance, except that probeAlternatives() is not called. */
   void searchWide();
 
   /** Refines starts 20 cm beside the best pose, to either side along the direction that is known

@@ -24,8 +24,9 @@ UncertainPose motionBetweenMatches(const Pose2& T_a_b, const UncertainPose& T_a_
  * 15 mm and the guess is 0.2 m off. To the matcher it is a guess with a covariance all the same. */
 Eigen::Matrix3d vagueCovariance()
 {
-  /** Standard deviations of a guess that is a start and no measurement. Definition: as wide as the
-   * search about a keyframe, so that they move a result by less than its own uncertainty. */
+  /** Standard deviations of a guess that is a start and no measurement. Definition: a
+   * start that is at most so far off moves a result by less than the result's own standard
+   * deviation. */
   constexpr double kSigma_m = 0.5, kSigma_rad = degToRad(10);
   return Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigma_rad * kSigma_rad)
       .asDiagonal();
@@ -91,9 +92,9 @@ void TrajectoryBuilder::append(Scan scan, const Pose2& T_robot_sensor,
 
 /** Makes the keyframe that is nearest to the current scan the reference.
  *
- * The ways on which the map places this keyframe and the last scan may share errors. They are taken
- * as independent, which makes the covariance of the prediction too wide and so the test of a match
- * against the prediction too mild, never too strict. */
+ * The ways on which the map places this keyframe and the last scan may share errors, which cancel
+ * in the difference of both. They are taken as independent, so that the covariance of the
+ * prediction is too wide where they do. */
 void TrajectoryBuilder::chooseKeyframe()
 {
   const auto keyframe = map_.nearest(scans_, current());
