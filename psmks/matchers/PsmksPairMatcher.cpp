@@ -14,7 +14,7 @@ class PsmksPairMatcher : public PairMatcher
  public:
   /** @throws OptionError where the options choose a solver that was not built */
   PsmksPairMatcher(std::string name, MatcherOptions options)
-      : name_(std::move(name)), matcher_(std::move(options), builtSolvers())
+      : name_(std::move(name)), matcher_(options, builtSolvers())
   {
   }
 
@@ -48,13 +48,13 @@ class PsmksPairMatcher : public PairMatcher
 
 std::unique_ptr<PairMatcher> makePsmks(const std::string& name, MatcherOptions options)
 {
-  return std::make_unique<PsmksPairMatcher>(name, std::move(options));
+  return std::make_unique<PsmksPairMatcher>(name, options);
 }
 
 std::unique_ptr<PairMatcher> makePaper(const std::string& name, MatcherOptions options)
 {
   if (options.scheme != Scheme::Paper) options.choosePaperScheme();
-  return makePsmks(name, std::move(options));
+  return makePsmks(name, options);
 }
 
 const PairMatcherRegistration kPsmks({"psmks", "PSM-KS, its options as they are",
@@ -72,13 +72,13 @@ void chooseCeres(MatcherOptions& options)
 std::unique_ptr<PairMatcher> makePsmksCeres(const std::string& name, MatcherOptions options)
 {
   chooseCeres(options);
-  return makePsmks(name, std::move(options));
+  return makePsmks(name, options);
 }
 
 std::unique_ptr<PairMatcher> makePaperCeres(const std::string& name, MatcherOptions options)
 {
   chooseCeres(options);
-  return makePaper(name, std::move(options));
+  return makePaper(name, options);
 }
 
 const PairMatcherRegistration kCeres({"psmks-ceres", "psmks, solved by Ceres",

@@ -73,6 +73,7 @@ std::vector<KeyframeMap::View> KeyframeMap::loopCandidates(const std::vector<Pos
   std::sort(found.begin(), found.end(),
             [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<View> views;
+  views.reserve(found.size());
   for (const auto& [overlap, view] : found) views.push_back(view);
   return views;
 }

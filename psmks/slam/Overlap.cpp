@@ -30,8 +30,8 @@ Overlap::Overlap(const Scan& reference, const Scan& current, int stride) : refer
   if (!isWellFormed(reference) || !isWellFormed(current)) return;
   for (int ray = 0; ray < current.grid.count(); ray += stride)
     if (isReturn(current, ray))
-      returns_m_.push_back(current.range_m[static_cast<std::size_t>(ray)] *
-                           current.grid.direction(ray));
+      returns_m_.emplace_back(current.range_m[static_cast<std::size_t>(ray)] *
+                              current.grid.direction(ray));
 }
 
 double Overlap::at(const Pose2& T_ref_cur) const

@@ -34,7 +34,7 @@ bool PreparedScans::isUpToDate(const Entry& entry) const
 
 PreparedScans::Entry PreparedScans::prepared(std::size_t index, const Scan& scan)
 {
-  const Entry entry{index, matcher_->prepare(scan, scanner_), scanner_.isBelieved()};
+  Entry entry{index, matcher_->prepare(scan, scanner_), scanner_.isBelieved()};
   if (index >= firstUncounted_)
   {
     scanner_.add(entry.scan->showsMoreNoise());
