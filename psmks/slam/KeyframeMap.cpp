@@ -36,33 +36,32 @@ std::optional<std::size_t> KeyframeMap::nearest(const std::vector<PosedScan>& sc
   return best;
 }
 
-std::vector<KeyframeMap::View> KeyframeMap::around(const std::vector<PosedScan>& scans,
-                                                   const PosedScan& current) const
+std::vector<KeyframeMap::ExpectedKeyframe> KeyframeMap::around(const std::vector<PosedScan>& scans,
+                                                               const PosedScan& current) const
 {
-  std::vector<View> views;
+  std::vector<ExpectedKeyframe> expected;
   for (std::size_t k = policy_.firstLinkable(keyframes_.size()); k < keyframes_.size(); ++k)
   {
     const PosedScan& reference = scans[keyframes_[k].scan];
     const Pose2 T_keyframe_cur = robotSeenFrom(reference, current);
     if (policy_.isWithinReach(T_keyframe_cur) && sawEnough(reference, current))
-      views.push_back({keyframes_[k].scan, T_keyframe_cur});
+      expected.push_back({keyframes_[k].scan, T_keyframe_cur});
   }
-  const auto isNearer = [this](const View& a, const View& b)
+  const auto isNearer = [this](const ExpectedKeyframe& a, const ExpectedKeyframe& b)
   {
     return policy_.normalizedDistance(a.T_keyframe_cur) <
            policy_.normalizedDistance(b.T_keyframe_cur);
   };
-  std::sort(views.begin(), views.end(), isNearer);
-  return views;
+  std::sort(expected.begin(), expected.end(), isNearer);
+  return expected;
 }
 
-std::vector<KeyframeMap::View> KeyframeMap::loopCandidates(const std::vector<PosedScan>& scans,
-                                                           const PosedScan& current,
-                                                           std::size_t reference) const
+std::vector<KeyframeMap::ExpectedKeyframe> KeyframeMap::loopCandidates(
+    const std::vector<PosedScan>& scans, const PosedScan& current, std::size_t reference) const
 {
   const auto startNode = nodeOf(reference);
   if (!startNode) return {};
-  std::vector<std::pair<double, View>> found;  // each with the overlap there
+  std::vector<std::pair<double, ExpectedKeyframe>> found;  // each with the overlap there
   for (const LoopCandidate& candidate : withinDrift(scans, current, *startNode))
   {
     const SharedPlace place = findSharedPlace(scans[candidate.keyframe], current,
@@ -72,10 +71,10 @@ std::vector<KeyframeMap::View> KeyframeMap::loopCandidates(const std::vector<Pos
   }
   std::sort(found.begin(), found.end(),
             [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<View> views;
-  views.reserve(found.size());
-  for (const auto& [overlap, view] : found) views.push_back(view);
-  return views;
+  std::vector<ExpectedKeyframe> expected;
+  expected.reserve(found.size());
+  for (const auto& [overlap, keyframe] : found) expected.push_back(keyframe);
+  return expected;
 }
 
 /** The loop candidates that are expected nearest, and as many as a scan has time for: each is
@@ -136,24 +135,24 @@ void KeyframeMap::add(std::vector<PosedScan>& scans, std::size_t index,
 {
   /** Links that contradict the poses by less wait for the next optimisation, or for the end of the
    * log. Evidence: measured. */
-  constexpr double kSmallInnovation_m = 0.01;
+  constexpr double kSmallContradiction_m = 0.01;
 
   /** Links that contradict the poses by more move all keyframes, else only the recent ones move.
    * Evidence: measured. */
-  constexpr double kGrossInnovation_m = 0.05;
+  constexpr double kGrossContradiction_m = 0.05;
 
   /** How many of the last keyframes a small contradiction moves. Unit: keyframes. Evidence:
    * measured. */
   constexpr std::size_t kRecentNodes = 30;
   const std::size_t node = graph_.add(scans[index].T_world_robot.pose);
   keyframes_.push_back({index, node});
-  double innovation_m = 0;
+  double contradiction_m = 0;
   for (const ReferenceMatch& link : links)
     if (const auto from = nodeOf(link.reference))
-      innovation_m = std::max(innovation_m, addLink(link, *from, node));
-  if (innovation_m > kGrossInnovation_m)
+      contradiction_m = std::max(contradiction_m, addLink(link, *from, node));
+  if (contradiction_m > kGrossContradiction_m)
     optimise(scans, 0);
-  else if (innovation_m > kSmallInnovation_m)
+  else if (contradiction_m > kSmallContradiction_m)
     optimise(scans, node > kRecentNodes ? node - kRecentNodes : 0);
 }
 

@@ -12,11 +12,15 @@
 namespace psmks
 {
 /** The scans that other scans are matched against, and the matches between them, which fix where
- * they are.
+ * they are. ReferenceChoice::Map and ReferenceChoice::Keyframe keep one, and Sequential keeps none.
  *
  *        k3 ----- k2 -----.            A keyframe is matched, when it joins, against those around
  *        |  \   /  |       k1          it that saw the same things. These matches are the links of
  *        k4 --- k5 -----'              a graph of poses; a loop that closes moves all of them.
+ *
+ * With ReferenceChoice::Keyframe places are not recognised: one keyframe is the reference for as
+ * long as ReferencePolicy says, so that TrajectoryBuilder calls neither nearest() nor covers() nor
+ * loopCandidates(), and around() asks the last few keyframes only.
  *
  * Keyframes are named by the indices of their scans in a trajectory. The caller passes the same
  * trajectory in every call, and the map keeps the poses of its keyframes up to date. */
@@ -25,8 +29,8 @@ class KeyframeMap
  public:
   explicit KeyframeMap(const ReferencePolicy& policy) : policy_(policy) {}
 
-  /** A keyframe that may have seen what a scan shows. */
-  struct View
+  /** A keyframe that may have seen what a scan shows, and the pose at which it is expected to. */
+  struct ExpectedKeyframe
   {
     std::size_t keyframe = 0;  //!< index of its scan
     Pose2 T_keyframe_cur;      //!< where the robot at the scan would be, seen from the keyframe's
@@ -38,17 +42,20 @@ class KeyframeMap
   std::optional<std::size_t> nearest(const std::vector<PosedScan>& scans,
                                      const PosedScan& current) const;
 
-  /** The keyframes within reach that saw enough of a scan, the nearest first. Without a map (see
-   * ReferencePolicy) only the last few keyframes are asked. */
-  std::vector<View> around(const std::vector<PosedScan>& scans, const PosedScan& current) const;
+  /** The keyframes within reach that saw enough of a scan, the nearest first. With
+   * ReferenceChoice::Keyframe only the last ones are asked, ReferenceOptions::keyframeWindow many.
+   */
+  std::vector<ExpectedKeyframe> around(const std::vector<PosedScan>& scans,
+                                       const PosedScan& current) const;
 
   /** The keyframes that would have seen enough of a scan if its pose was off by what may have
    * drifted on the way since they were left. Around each of the nearest 8 that the drift allows,
    * the pose is searched for at which it shares most with the scan.
    *  @param reference the keyframe that places the scan: the ways to all others start there
    *  @return the one that shares most first, each with that pose */
-  std::vector<View> loopCandidates(const std::vector<PosedScan>& scans, const PosedScan& current,
-                                   std::size_t reference) const;
+  std::vector<ExpectedKeyframe> loopCandidates(const std::vector<PosedScan>& scans,
+                                               const PosedScan& current,
+                                               std::size_t reference) const;
 
   /** Whether a keyframe near a scan saw enough of it, so that the scan need not become one. */
   bool covers(const std::vector<PosedScan>& scans, const PosedScan& current) const;

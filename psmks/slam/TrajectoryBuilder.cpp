@@ -200,16 +200,16 @@ void TrajectoryBuilder::addToMap(std::size_t index)
 std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(std::size_t index)
 {
   std::vector<ReferenceMatch> found;
-  const auto matchAgainst = [&](const std::vector<KeyframeMap::View>& views)
+  const auto matchAgainst = [&](const std::vector<KeyframeMap::ExpectedKeyframe>& keyframes)
   {
     std::size_t tried = 0;
-    for (const KeyframeMap::View& view : views)
+    for (const KeyframeMap::ExpectedKeyframe& expected : keyframes)
     {
-      if (view.keyframe == reference_) continue;
+      if (expected.keyframe == reference_) continue;
       if (tried++ == policy_.maxLinks()) break;
       ReferenceMatch candidate =
-          matcher_.match(scans_, view.keyframe, index, {view.T_keyframe_cur, vagueCovariance()},
-                         SearchScope::NearGuess);
+          matcher_.match(scans_, expected.keyframe, index,
+                         {expected.T_keyframe_cur, vagueCovariance()}, SearchScope::NearGuess);
       if (policy_.isLink(candidate.result)) found.push_back(std::move(candidate));
     }
   };

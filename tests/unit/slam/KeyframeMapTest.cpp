@@ -72,10 +72,11 @@ class KeyframeMapTest : public testing::Test
     return map;
   }
 
-  static std::vector<std::size_t> keyframesOf(const std::vector<KeyframeMap::View>& views)
+  static std::vector<std::size_t> keyframesOf(
+      const std::vector<KeyframeMap::ExpectedKeyframe>& expected)
   {
     std::vector<std::size_t> keyframes;
-    for (const KeyframeMap::View& view : views) keyframes.push_back(view.keyframe);
+    for (const KeyframeMap::ExpectedKeyframe& one : expected) keyframes.push_back(one.keyframe);
     return keyframes;
   }
 
