@@ -73,13 +73,14 @@ void listLinkFields(OptionTable& table, ReferenceOptions& o)
 void listRetryFields(OptionTable& table, ReferenceOptions& o)
 {
   table.add("retry_last_scan", o.retryLastScan,
-            "a scan that fails against the reference is matched against the last matched scan, "
-            "which becomes the reference; false: the paper");
+            "a scan that fails against the reference is matched against the scan before, which "
+            "becomes the reference, and if that fails, too, with a wide prior; false: neither of "
+            "them (the paper)");
   table.add("retry_score", o.retryScore, Unit::None, 0, 1,
-            "a scan of which a smaller share of rays is explained is matched against the last "
-            "matched scan, too, and the better match counts; 0: only a scan that fails");
+            "a scan of which a smaller share of rays is explained is matched against the scan "
+            "before, too, and the better match counts; 0: only a scan that fails");
   table.add("map_retry_score", o.mapRetryScore, Unit::None, 0, 1,
-            "map: takes the place of retry_score, for the last scan becomes one more keyframe");
+            "map: takes the place of retry_score, for the scan before becomes one more keyframe");
   table.add("max_failures", o.maxFailures, 1, 1000000,
             "after as many failed matches in a row the reference is given up");
 }
