@@ -50,7 +50,7 @@ class MatcherWorkspace
  *    associateFeatures() and solveByGaussNewton() take turns; freeSpaceScore() scores the end.
  * 4. PoseVerifier in joint/ judges. Unless the pose is convincing, CandidateSearch::searchFurther()
  *    refines the poses that lines vote for (HypothesisSearch), and for a guess without a covariance
- *    places along walls.
+ *    poses along walls.
  * 5. If it is doubtful, CandidateSearch::searchWide() refines poses of a grid (CorrelativeSearch).
  * 6. A convincing pose that few rays hold, from a guess without a covariance, is tried again from
  *    beside it: CandidateSearch::probeAlternatives().

@@ -86,6 +86,7 @@ class PaperMatch
     Stopwatch watch;
     const PoseObjective& objective = buffers_.objective;
     const Pose2 start = estimate.T_ref_cur;
+    // The regression needs the associations at the start; those at hand are of the pose tried last.
     evaluated(start);
     buildTranslationProblem(objective.projection(), objective.associations(),
                             objective.reliability(), options_.jacobian, buffers_.translation);

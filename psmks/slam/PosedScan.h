@@ -22,7 +22,13 @@ struct ReferenceMatch
                       //!< that no earlier match had prepared
 };
 
-/** A scan with its place on the trajectory. The world is the frame of the robot at the first scan.
+/** A scan with its place on the trajectory. The frames of its poses:
+ *
+ * - world: the robot at the first scan;
+ * - robot, sensor: the robot and its scanner at this scan;
+ * - last: the robot at the scan before;
+ * - anchor: the robot at the scan that this one moves with;
+ * - odometry: the robot at this scan, where the odometry alone puts it.
  *
  * The covariance of T_world_robot is that of the matches and motions by which the scan was placed,
  * one after the other from the first scan on, their errors taken as independent. A loop that closes
@@ -32,9 +38,8 @@ struct PosedScan
   Scan scan;
   Pose2 T_robot_sensor;
   UncertainPose T_world_robot;
-  UncertainPose T_last_robot;  //!< motion since the scan before, in the frame of the robot at that
-                               //!< scan
-  Pose2 T_world_odometry;      //!< where the odometry alone puts the robot
+  UncertainPose T_last_robot;  //!< motion since the scan before
+  Pose2 T_world_odometry;      //!< the motions that the odometry measured, one after the other
   std::vector<ReferenceMatch> matches;  //!< all that were tried to place the scan, in that order
   std::size_t deciding = 0;             //!< index into `matches` of the one that places the scan
   std::vector<ReferenceMatch> links;    //!< matches against other keyframes, made when this scan
@@ -42,7 +47,7 @@ struct PosedScan
   bool isReference = false;             //!< whether it is, or was, the reference of later scans
   std::size_t anchor = 0;  //!< index of the reference scan that this one moves with; its own where
                            //!< there is none
-  Pose2 T_anchor_robot;    //!< pose of the robot, seen from the robot at the anchor
+  Pose2 T_anchor_robot;    //!< stays as it is when the anchor moves
 
   /** Adds the match that places the scan from now on. */
   void decideBy(ReferenceMatch match)

@@ -25,9 +25,11 @@ namespace psmks
  *    last motion once more. It straightens the sweep of the scan.
  * 2. Choose the reference: with a map the nearest keyframe that saw enough of the scan, else the
  *    one that stands.
- * 3. Match against the reference, with the prediction and its covariance as a prior. A match that
- *    fails or explains little is tried again against the scan before, and after that from
- *    the odometry with a covariance as wide as if there was none.
+ * 3. Match against the reference, with the prediction and its covariance as a prior. Where that
+ *    fails or explains little, the scan before serves as a second reference, unless it is the
+ *    reference of other scans already or was not matched itself. Where no match is usable then, the
+ *    last try is against the reference once more, the prior widened by the covariance of a motion
+ *    that nobody measured.
  * 4. Place: the match places the scan, or where all failed the prediction.
  * 5. Replace the reference by the scan, if ReferencePolicy says so. A keyframe is matched against
  *    the keyframes around it, and the matches link it into a graph of poses (KeyframeMap).
@@ -85,7 +87,8 @@ class TrajectoryBuilder
   TurnRate turnRate_;
   std::vector<PosedScan> scans_;
   std::size_t reference_ = 0;
-  UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the robot at the reference
+  UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the robot at the reference: by
+                              //!< a match, by the motion since then, or by the poses of the map
   int failuresInARow_ = 0;    //!< of the scans since the reference was made one
 };
 }  // namespace psmks
