@@ -155,6 +155,10 @@ void TrajectoryBuilder::retryWithWidePrior(const UncertainPose& motion)
 /** Puts the current scan where it is seen from the reference. */
 void TrajectoryBuilder::place(const UncertainPose& T_ref_cur)
 {
+  if (current().isMatched())
+    evidence_ = {reference_, T_ref_cur};
+  else
+    evidence_.T_keyframe_last = composed(evidence_.T_keyframe_last, current().T_last_robot);
   current().T_world_robot = composed(scans_[reference_].T_world_robot, T_ref_cur);
   current().anchor = reference_;
   current().T_anchor_robot = T_ref_cur.pose;
@@ -175,19 +179,19 @@ void TrajectoryBuilder::makeReference(std::size_t index)
   if (policy_.linksReferences()) addToMap(index);
   reference_ = index;
   T_ref_last_ = UncertainPose();
+  evidence_ = {index, UncertainPose()};
   failuresInARow_ = 0;
 }
 
-/** Adds a scan to the map as a keyframe. It is linked to the reference by its pose there, which is
- * that of the last match or the prediction from odometry or from the map, and to keyframes around
- * it by matches that agree with each other. */
+/** Adds the last scan to the map as a keyframe. It is linked to the keyframe from which it was
+ * placed, and to keyframes around it by matches that agree with each other. */
 void TrajectoryBuilder::addToMap(std::size_t index)
 {
   PosedScan& keyframe = scans_[index];
   std::vector<ReferenceMatch> links;
   if (index > 0)
   {
-    links.push_back({reference_, T_ref_last_, {}, 0});
+    links.push_back({evidence_.keyframe, evidence_.T_keyframe_last, {}, 0});
     keyframe.links = consistentLinks(scans_, keyframe, matchesAround(index));
     links.insert(links.end(), keyframe.links.begin(), keyframe.links.end());
   }
@@ -195,7 +199,9 @@ void TrajectoryBuilder::addToMap(std::size_t index)
 }
 
 /** Matches a scan against the keyframes where it is expected to share much with them, and with a
- * map also against those of earlier visits that it may share much with after some drift.
+ * map also against those of earlier visits that it may share much with after some drift. The
+ * keyframe from which it was placed is linked to it already, and so is left out. So is the
+ * reference: where it is another one, the scan after this one hardly matched it.
  *  @return the matches that are good enough for links */
 std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(std::size_t index)
 {
@@ -205,7 +211,7 @@ std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(std::size_t index)
     std::size_t tried = 0;
     for (const KeyframeMap::ExpectedKeyframe& expected : keyframes)
     {
-      if (expected.keyframe == reference_) continue;
+      if (expected.keyframe == reference_ || expected.keyframe == evidence_.keyframe) continue;
       if (tried++ == policy_.maxLinks()) break;
       ReferenceMatch candidate =
           matcher_.match(scans_, expected.keyframe, index,
@@ -214,7 +220,8 @@ std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(std::size_t index)
     }
   };
   matchAgainst(map_.around(scans_, scans_[index]));
-  if (policy_.usesMap()) matchAgainst(map_.loopCandidates(scans_, scans_[index], reference_));
+  if (policy_.usesMap())
+    matchAgainst(map_.loopCandidates(scans_, scans_[index], evidence_.keyframe));
   return found;
 }
 

@@ -61,6 +61,14 @@ class TrajectoryBuilder
   const std::vector<PosedScan>& scans() const { return scans_; }
 
  private:
+  /** The last scan seen from a keyframe by a match and the motions since then. The poses of the map
+   * have no part in it but as a prior of the match, so that it is evidence for them. */
+  struct Evidence
+  {
+    std::size_t keyframe = 0;
+    UncertainPose T_keyframe_last;
+  };
+
   std::size_t currentIndex() const { return scans_.size() - 1; }
   PosedScan& current() { return scans_.back(); }
   const PosedScan& current() const { return scans_.back(); }
@@ -89,6 +97,7 @@ class TrajectoryBuilder
   std::size_t reference_ = 0;
   UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the robot at the reference: by
                               //!< a match, by the motion since then, or by the poses of the map
+  Evidence evidence_;         //!< about the last scan, for its link where it becomes a keyframe
   int failuresInARow_ = 0;    //!< of the scans since the reference was made one
 };
 }  // namespace psmks

@@ -23,6 +23,7 @@ class Oracle : public PairMatcher
   std::map<double, Pose2> T_world_sensor;
   std::map<double, double> fails;                      //!< stamp of the scan, of the reference
   std::map<std::pair<double, double>, double> scores;  //!< by both stamps; else 1
+  std::map<std::pair<double, double>, double> off_m;   //!< error of x, by both stamps; else 0
 
   /** Stamp of a scan that it fails for unless the guess is as uncertain as this. */
   std::map<double, double> needsSigma_m;
@@ -44,6 +45,8 @@ class Oracle : public PairMatcher
                                     T_world_sensor.at(current.stamp_s);
     result.covariance =
         failed ? *guess.covariance : Eigen::Matrix3d(1e-6 * Eigen::Matrix3d::Identity());
+    const auto off = off_m.find({current.stamp_s, reference.stamp_s});
+    if (!failed && off != off_m.end()) result.T_ref_cur.x_m += off->second;
     const auto score = scores.find({current.stamp_s, reference.stamp_s});
     result.score = score != scores.end() ? score->second : 1;
     result.associations = 100;
@@ -394,6 +397,61 @@ TEST_F(MapLoop, AMatchThatNeitherTheMapNorAnotherMatchConfirmsLinksNothing)
                            degToRad(0.1)));
     }
   EXPECT_LT(error_m(map.scans().back()), 0.02);
+}
+
+/** A robot in one room that drives ahead and back again, and on to the other side.
+ *
+ *     +----------------------------------------+     A, B, C: keyframes at 0 m, 1.2 m and -1.1 m.
+ *     |                                        |     Scan 3 at 0.7 m is matched against B. Scan 4
+ *     |     C   5   A   4   3     B            |     at 0.4 m is expected nearest to A, fails there
+ *     +----------------------------------------+     and makes scan 3 a keyframe.               */
+class ThereAndBack : public testing::Test
+{
+ protected:
+  static constexpr std::size_t kA = 0, kB = 2, kLate = 3;
+
+  ThereAndBack()
+  {
+    for (std::size_t i = 0; i < x_m_.size(); ++i)
+      oracle_.T_world_sensor[static_cast<double>(i)] = {x_m_[i], 0, 0};
+    oracle_.fails[4] = kA;
+  }
+
+  TrajectoryBuilder driven() const
+  {
+    TrajectoryBuilder builder(std::make_unique<Oracle>(oracle_), {}, OdometryOptions());
+    for (std::size_t i = 0; i < x_m_.size(); ++i)
+    {
+      Scan scan = castScan(box({0, 0.5}, 8, 6), {x_m_[i], 0, 0}, BeamGrid::centered(2 * kPi, 360));
+      scan.stamp_s = static_cast<double>(i);
+      builder.add(scan, {},
+                  i > 0 ? std::optional(Pose2{x_m_[i] - x_m_[i - 1], 0, 0}) : std::nullopt);
+    }
+    return builder;
+  }
+
+  const std::vector<double> x_m_{0, 0.6, 1.2, 0.7, 0.4, -0.4, -1.1};
+  Oracle oracle_;
+};
+
+TEST_F(ThereAndBack, AScanThatBecomesAKeyframeLateIsMatchedAgainstItsReferenceOnce)
+{
+  const TrajectoryBuilder builder = driven();
+  const PosedScan& late = builder.scans()[kLate];
+  ASSERT_TRUE(late.isReference);
+  EXPECT_EQ(late.decidingMatch()->reference, kB);
+  for (const ReferenceMatch& link : late.links) EXPECT_NE(link.reference, kB);
+}
+
+TEST_F(ThereAndBack, APoseOfTheMapIsNoEvidenceForTheMap)
+{
+  // Two links lead from A to scan 3 over B, two others over C, and one joins B and C: half of the
+  // error of one link remains. A link from A to scan 3 would repeat that error, for it can only
+  // come from the map.
+  oracle_.off_m[{kB, kA}] = 0.04;
+  TrajectoryBuilder builder = driven();
+  builder.optimise();
+  EXPECT_NEAR(builder.scans()[kLate].T_world_robot.pose.x_m, x_m_[kLate] + 0.02, 1e-3);
 }
 
 TEST_F(MapLoop, AKeyframeJoinsWhereNoneIsNear)
