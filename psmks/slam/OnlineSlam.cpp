@@ -1,5 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/motion/MotionBetweenScans.h>
 #include <psmks/slam/OnlineSlam.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <optional>
 #include <utility>
@@ -32,34 +34,53 @@ const char* toString(PoseSource source)
   return "?";
 }
 
-OnlineSlam::OnlineSlam(const OnlineSlamOptions& options)
-    : builder_(makePairMatcher("psmks", options.matcher), options.reference, options.odometry)
+struct OnlineSlam::State
+{
+  explicit State(const OnlineSlamOptions& options)
+      : builder(makePairMatcher("psmks", options.matcher), options.reference, options.odometry)
+  {
+  }
+
+  TrajectoryBuilder builder;
+  MotionBetweenScans motion;
+  Listener listener;
+};
+
+OnlineSlam::OnlineSlam(const OnlineSlamOptions& options) : state_(std::make_unique<State>(options))
 {
 }
+OnlineSlam::~OnlineSlam() = default;
+OnlineSlam::OnlineSlam(OnlineSlam&&) noexcept = default;
+OnlineSlam& OnlineSlam::operator=(OnlineSlam&&) noexcept = default;
 
 void OnlineSlam::addOdometry(double stamp_s, const Pose2& T_odom_robot)
 {
-  motion_.addReading(stamp_s, T_odom_robot);
+  state_->motion.addReading(stamp_s, T_odom_robot);
 }
 
-void OnlineSlam::addMotion(const Pose2& T_before_after) { motion_.addIncrement(T_before_after); }
+void OnlineSlam::addMotion(const Pose2& T_before_after)
+{
+  state_->motion.addIncrement(T_before_after);
+}
 
 OnlinePose OnlineSlam::addScan(Scan scan, const Pose2& T_robot_sensor)
 {
-  const bool isFirst = builder_.scans().empty();
-  const std::optional<Pose2> odometry = motion_.untilScan(scan.stamp_s);
-  const PosedScan& posed = builder_.add(std::move(scan), T_robot_sensor, odometry);
+  const bool isFirst = state_->builder.scans().empty();
+  const std::optional<Pose2> odometry = state_->motion.untilScan(scan.stamp_s);
+  const PosedScan& posed = state_->builder.add(std::move(scan), T_robot_sensor, odometry);
 
   OnlinePose pose;
   pose.stamp_s = posed.stamp_s();
   pose.T_world_robot = posed.T_world_robot;
   pose.source = sourceOf(posed, isFirst, odometry.has_value());
   if (const ReferenceMatch* match = posed.decidingMatch()) pose.match = match->result;
-  if (listener_) listener_(pose);
+  if (state_->listener) state_->listener(pose);
   return pose;
 }
 
-void OnlineSlam::setListener(Listener listener) { listener_ = std::move(listener); }
+void OnlineSlam::setListener(Listener listener) { state_->listener = std::move(listener); }
 
-void OnlineSlam::optimise() { builder_.optimise(); }
+void OnlineSlam::optimise() { state_->builder.optimise(); }
+
+const std::vector<PosedScan>& OnlineSlam::scans() const { return state_->builder.scans(); }
 }  // namespace psmks

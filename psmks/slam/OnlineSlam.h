@@ -5,12 +5,12 @@
 #include <psmks/geometry/Scan.h>
 #include <psmks/geometry/UncertainPose.h>
 #include <psmks/match/MatchResult.h>
-#include <psmks/motion/MotionBetweenScans.h>
 #include <psmks/motion/OdometryNoise.h>
+#include <psmks/slam/PosedScan.h>
 #include <psmks/slam/ReferencePolicy.h>
-#include <psmks/slam/TrajectoryBuilder.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace psmks
@@ -69,12 +69,15 @@ struct OnlinePose
  * object serves one thread. Scans and odometry never throw, whatever they hold: a scan without a
  * return, or one that matches nothing, gets its pose from the odometry, and odometry that is
  * missing or not finite is replaced by the motion before. psmks/mrpt/ObservationSlam.h takes MRPT's
- * observations instead, TrajectoryBuilder any other matcher. */
+ * observations instead. */
 class OnlineSlam
 {
  public:
   /** @throws OptionError for options that the matcher does not accept */
   explicit OnlineSlam(const OnlineSlamOptions& options = {});
+  ~OnlineSlam();
+  OnlineSlam(OnlineSlam&&) noexcept;
+  OnlineSlam& operator=(OnlineSlam&&) noexcept;
 
   /** A reading of the odometry: the robot's pose in the frame of the odometry at a time, on the
    *  clock of the scans' stamps, in the order of time. The motion between two scans is interpolated
@@ -102,11 +105,10 @@ class OnlineSlam
   void optimise();
 
   /** All scans so far with their poses and matches, in the order they came. */
-  const std::vector<PosedScan>& scans() const { return builder_.scans(); }
+  const std::vector<PosedScan>& scans() const;
 
  private:
-  TrajectoryBuilder builder_;
-  MotionBetweenScans motion_;
-  Listener listener_;
+  struct State;
+  std::unique_ptr<State> state_;
 };
 }  // namespace psmks

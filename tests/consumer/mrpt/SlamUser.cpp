@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/slam/TrajectoryBuilder.h>
+#include <psmks/slam/OnlineSlam.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +25,9 @@ psmks::Scan roomFrom(double x_m)
 /** Drives 0.3 m through the room and asks where it stands. */
 int main()
 {
-  psmks::TrajectoryBuilder builder(psmks::makePairMatcher("psmks"), {}, {});
-  builder.add(roomFrom(0), {}, {});
-  const psmks::PosedScan& last = builder.add(roomFrom(0.3), {}, {});
-  const psmks::Pose2 pose = last.T_world_robot.pose;
+  psmks::OnlineSlam slam;
+  slam.addScan(roomFrom(0));
+  const psmks::Pose2 pose = slam.addScan(roomFrom(0.3)).T_world_robot.pose;
   std::cout << pose.x_m << " m, " << pose.y_m << " m\n";
   return std::hypot(pose.x_m - 0.3, pose.y_m) < 1e-3 ? 0 : 1;
 }

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
 #include <psmks/slam/OnlineSlam.h>
+#include <psmks/slam/TrajectoryBuilder.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Scenes.h>
 
