@@ -66,6 +66,13 @@ PairFamily large(PairFamily family)
   return family;
 }
 
+PairFamily farApart(PairFamily family)
+{
+  family.maxTranslation_m = 1;
+  family.maxRotation_rad = degToRad(40);
+  return family;
+}
+
 void addPlain(std::vector<PairFamily>& families)
 {
   struct Kind
@@ -121,6 +128,9 @@ void addRayCounts(std::vector<PairFamily>& families)
 {
   families.push_back(office("rays181", "181 rays over 180 degrees (SICK LMS 200 at 1 degree)",
                             scanner(180, 181, 30)));
+  families.push_back(
+      farApart(office("rays181_far", "181 rays over 180 degrees, up to 1 m and 40 degrees apart",
+                      scanner(180, 181, 30))));
   families.push_back(office("rays361", "361 rays over 90 degrees (as SICK LMS 200 at 0.25 degrees)",
                             scanner(90, 361, 30)));
   families.push_back(
