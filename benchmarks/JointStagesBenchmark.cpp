@@ -3,9 +3,10 @@
 #include <benchmarks/RoomPair.h>
 #include <psmks/core/Matcher.h>
 #include <psmks/features/FreeSpaceScore.h>
+#include <psmks/joint/CorrelativeSearch.h>
 #include <psmks/joint/GaussNewton.h>
-#include <psmks/joint/Hypotheses.h>
 #include <psmks/joint/LinePairing.h>
+#include <psmks/joint/LineVotes.h>
 
 namespace psmks
 {
@@ -76,15 +77,28 @@ void score(benchmark::State& state)
         countRays(s.current.points, s.reference.surface, s.pair.T_ref_cur_true, 0.04f));
 }
 
-void hypotheses(benchmark::State& state)
+void lineVotes(benchmark::State& state)
 {
   Stages s(state);
-  HypothesisSearch search;
+  LineVotes votes;
   std::vector<Hypothesis> found;
   for (auto _ : state)
   {
     found.clear();
-    search.propose(s.reference, s.current, {}, {1.3, degToRad(60), 4}, found);
+    votes.propose(s.reference, s.current, {}, {1.3, degToRad(60), 4}, found);
+    benchmark::DoNotOptimize(found.data());
+  }
+}
+
+/** Searches a window about the zero guess, that of a search near it or the wide one. */
+void correlativeSearch(benchmark::State& state, const SearchWindow& window)
+{
+  Stages s(state);
+  CorrelativeSearch search;
+  std::vector<Hypothesis> found;
+  for (auto _ : state)
+  {
+    search.propose(s.reference, s.current, {}, window, 0.04, 8, found);
     benchmark::DoNotOptimize(found.data());
   }
 }
@@ -93,6 +107,8 @@ BENCHMARK(view)->Arg(361);
 BENCHMARK(association)->Arg(361);
 BENCHMARK(gaussNewton)->Arg(361);
 BENCHMARK(score)->Arg(361);
-BENCHMARK(hypotheses)->Arg(361);
+BENCHMARK(lineVotes)->Arg(361);
+BENCHMARK_CAPTURE(correlativeSearch, near, SearchWindow{1.3, degToRad(60)})->Arg(361);
+BENCHMARK_CAPTURE(correlativeSearch, wide, SearchWindow{5, degToRad(120)})->Arg(361);
 }  // namespace
 }  // namespace psmks

@@ -47,14 +47,11 @@ class MatcherWorkspace
  * 2. ScanFeatures::build() in features/ adds circles, short lines, surfels, movable objects, and
  *    the surface that is seen at every bearing.
  * 3. Refinement::refine() in joint/ leads a start to a pose, first the guess if it scores well:
- *    associateFeatures() and solveByGaussNewton() take turns; freeSpaceScore() scores the end.
- * 4. PoseVerifier in joint/ judges. Unless the pose is convincing, CandidateSearch::searchFurther()
- *    refines the poses that lines vote for (HypothesisSearch), and for a guess without a covariance
- *    poses along walls.
- * 5. If it is doubtful, CandidateSearch::searchWide() refines poses of a grid (CorrelativeSearch).
- * 6. A convincing pose that few rays hold, from a guess without a covariance, is tried again from
- *    beside it: CandidateSearch::probeAlternatives().
- * 7. JointConclusion::conclude() in joint/ accepts or refuses, takes from the guess what the scans
+ *    associateFeatures() and solveByGaussNewton() take turns; logLikelihoodRatio() judges the end.
+ * 4. Unless the pose convinces PoseVerifier in joint/, CandidateSearch there refines the poses that
+ *    lines vote for (LineVotes), then the optima of a window about the guess (CorrelativeSearch).
+ * 5. If it is doubtful, the optima of a wide window are refined, too.
+ * 6. JointConclusion::conclude() in joint/ accepts or refuses, takes from the guess what the scans
  *    leave open, and settles covariance and ambiguity.
  *
  * The paper's scheme, matchByPaperScheme() in paper/PaperScheme.cpp, repeats from the guess on:

@@ -9,18 +9,23 @@ namespace psmks
 {
 namespace
 {
-/** Weight of a ray behind the surface, which may have been hidden from the other viewpoint. Unit:
- * rays in front. Evidence: measured. */
-constexpr double kBehindWeight = 0.5;
+/** What a look on a surface says for a pose. Unit: nat. Evidence: 79 % of the looks are on surfaces
+ * at right poses, 39 % at the best wrong ones: ln(0.79 / 0.39) = 0.7, less for what looks have in
+ * common. */
+constexpr double kOnSurface = 0.6;
 
-/** Weight of a ray in front of the surface on an object that may have moved there. Unit: rays in
- * front. Evidence: measured. */
-constexpr double kMovedWeight = 0.5;
+/** Weight of a look in free space against the pose. Unit: looks on a surface. Evidence: 0.8 % and
+ * 14.5 %, ln = -2.9, that is 4 times 0.7. */
+constexpr double kFrontWeight = 4;
 
-/** Weight of a ray behind an object that may have moved away. Unit: rays in front. Evidence:
- * measured.
- */
-constexpr double kUncoveredWeight = 0.25;
+/** Weight of a look behind a surface, which may have been hidden. Unit: looks on a surface.
+ * Evidence: 3.5 % and 17 %, ln = -1.6; with 2 in place of 1 1.9 times as many wrong poses score as
+ * much as right ones on every fourth scan of the MIT CSAIL log (`csail`). */
+constexpr double kBehindWeight = 1;
+
+/** Weight of a look at an object that may have moved. Unit: looks on a surface. Evidence: 4.2 % and
+ * 8.7 % where nobody walks, and as many at right poses as at wrong ones where people do. */
+constexpr double kMayHaveMovedWeight = 0.25;
 
 /** Share of the rays that the other scan has to have seen before the score is reduced. Unit: share.
  * Evidence: measured. */
@@ -55,6 +60,7 @@ class PointBlock
       x_[size_] = points.x_m[first];
       y_[size_] = points.y_m[first];
       movable_[size_] = points.movable[first];
+      looks_[size_] = points.looks[first];
     }
     std::fill(x_.begin() + size_, x_.end(), 1.0f);
     std::fill(y_.begin() + size_, y_.end(), 0.0f);
@@ -90,28 +96,39 @@ class PointBlock
       const int k = cell_[i];
       if (k < 0 || !surface.known(k))
       {
-        ++n.unknown;
+        n.unknown += looks_[i];
         continue;
       }
       const PolarLookup::Side* sides = surface.sides(k);
       const float a_m = sides[0].distance_m(x_[i], y_[i]), b_m = sides[1].distance_m(x_[i], y_[i]);
       if (std::min(std::fabs(a_m), std::fabs(b_m)) < tolerance_m)
-        ++n.on;
+        n.on += looks_[i], ++n.raysOn;
       else if (std::max(a_m, b_m) < 0)
-        ++(movable_[i] ? n.moved : n.front);
+        (movable_[i] ? n.moved : n.front) += looks_[i];
       else if (std::min(a_m, b_m) > 0)
-        ++(surface.movable(k) ? n.uncovered : n.behind);
+        (surface.movable(k) ? n.uncovered : n.behind) += looks_[i];
       // A point between the near and the far side of a jump is not counted: anything may be there.
     }
+    n.rays = static_cast<int>(size_);
     counts += n;
   }
 
  private:
-  std::array<float, kCapacity> x_, y_;
+  std::array<float, kCapacity> x_, y_, looks_;
   std::array<int, kCapacity> cell_;
   std::array<std::uint8_t, kCapacity> movable_;
   std::size_t size_ = 0;
 };
+}  // namespace
+
+namespace
+{
+/** What speaks against a pose, in looks on surfaces that speak for it. */
+double against(const RayCounts& n)
+{
+  return kFrontWeight * n.front + kBehindWeight * n.behind +
+         kMayHaveMovedWeight * (n.moved + n.uncovered);
+}
 }  // namespace
 
 RayCounts countRays(const RayPoints& points, const PolarLookup& surface,
@@ -126,13 +143,25 @@ RayCounts countRays(const RayPoints& points, const PolarLookup& surface,
     block.find(surface);
     block.count(surface, tolerance_m, counts);
   }
+  const auto skipped = static_cast<float>(stride);
+  counts.on *= skipped, counts.front *= skipped, counts.behind *= skipped;
+  counts.moved *= skipped, counts.uncovered *= skipped, counts.unknown *= skipped;
   return counts;
+}
+
+double logLikelihoodRatio(const RayCounts& n)
+{
+  /** Most looks that are independent. Unit: looks. Evidence: in a round room of 400 looks, headings
+   * that explain the scans alike differ by up to 20 nat if all of them count, and by less than 3 if
+   * 50 do. */
+  constexpr float kMostIndependent = 50;
+  const double share = std::min(1.0f, kMostIndependent / std::max(1.0f, n.looks()));
+  return kOnSurface * share * (n.on - against(n));
 }
 
 double freeSpaceScore(const RayCounts& n)
 {
-  const double decided = n.on + n.front + (kBehindWeight * n.behind + kMovedWeight * n.moved) +
-                         kUncoveredWeight * n.uncovered;
+  const double decided = n.on + against(n);
   const double seen = n.on + n.front + n.behind + n.moved + n.uncovered;
   if (!(decided > 0)) return 0;
   const double visibleShare = seen / (seen + n.unknown);

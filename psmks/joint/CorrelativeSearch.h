@@ -1,40 +1,86 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/joint/Hypotheses.h>
-#include <psmks/joint/ScanScores.h>
+#include <psmks/joint/EvidenceGrid.h>
+#include <psmks/joint/Hypothesis.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace psmks
 {
-/** The window of a grid search about a guess, and how many of its poses are followed. */
-struct CorrelativeLimits
+/** The poses that a search covers: every translation within a square and every heading within an
+ * angle about a guess. */
+struct SearchWindow
 {
-  double radius_m, angle_rad;  //!< greatest displacement, and rotation to either side
-  std::size_t followed;        //!< best poses of the grid that are moved uphill
+  double radius_m;   //!< greatest displacement from the guess along either axis of the reference
+  double angle_rad;  //!< greatest rotation to either side
 };
 
-/** Proposes starts by scoring a grid of poses about a guess (correlative scan matching, coarse to
- * fine). It finds what HypothesisSearch cannot: poses of scans whose lines are few or short, and
- * far poses that share few lines with the reference. The grid has steps of 0.5 m and 6 degrees; its
- * best poses are moved by ever smaller steps to where more rays lie on surfaces. */
+/** Finds the poses of a window that explain the rays of the current scan best, by correlation with
+ * the evidence of the reference (Olson 2009), branch and bound (Hess et al. 2016).
+ *
+ * The window is a grid of poses: translations by whole cells of the EvidenceGrid, headings by steps
+ * that move half of the rays by at most two cells. The score of a pose is the sum of the evidence
+ * in the cells in which its rays end. A node is a heading and a square block of translations, with
+ * the sum of the bounds of each ray's square as its own bound; nodes are taken in the order of
+ * their bounds and split, so that poses are met in the order of their scores. The result is that of
+ * scoring every pose of the grid: the pose with the highest score, then the highest that is another
+ * optimum (isSameStart()), and so on. */
 class CorrelativeSearch
 {
  public:
-  /** Replaces the hypotheses by at most twelve starts, those that explain most rays first. Of
-   * starts nearer to each other than 0.3 m and 5 degrees only the best is kept. */
-  void propose(const ScanScores& scores, const Pose2& guess_T_ref_cur,
-               const CorrelativeLimits& limits, std::vector<Hypothesis>& hypotheses);
+  /** Most rays of the current scan that are scored. Unit: rays. Evidence: twice as many find as
+   * many of the pairs and take 1.5 times the time. */
+  static constexpr int kMostRays = 60;
 
-  /** Reserves the memory of a search of this size, so that none of at most this size allocates. */
-  void reserve(double radius_m, double angle_rad);
+  /** Replaces the hypotheses by the optima of the window that have more than half of the highest
+   *  score, highest first. The score of a hypothesis is its evidence as a share of what it is where
+   *  all rays lie on surfaces.
+   *  @param rangeTolerance_m within which a point is on a surface
+   *  @param most optima that are returned at most */
+  void propose(const ScanFeatures& reference, const ScanFeatures& current,
+               const Pose2& guess_T_ref_cur, const SearchWindow& window, double rangeTolerance_m,
+               std::size_t most, std::vector<Hypothesis>& hypotheses);
+
+  /** Reserves the memory of every search, so that none allocates. */
+  void reserve();
 
  private:
-  void scoreGrid(const ScanScores& scores, const Pose2& guess_T_ref_cur,
-                 const CorrelativeLimits& limits);
-  void climb(const ScanScores& scores);
+  /** A heading, and the block of translations from (x, y) on of 2^level cells in either axis. */
+  struct Node
+  {
+    int score;  //!< upper bound of the poses of the block; the score of the pose at level 0
+    std::int16_t heading, x, y, level;
+  };
+  static bool hasLowerBound(const Node& a, const Node& b) { return a.score < b.score; }
+  struct Ray
+  {
+    float x_m, y_m;
+  };
 
-  std::vector<Hypothesis> places_;
+  void pickRays(const RayPoints& points);
+  void prepareHeadings(const Pose2& guess_T_ref_cur, const SearchWindow& window);
+  void prepareHeading(std::size_t heading);
+  void pushRoots();
+  void split(const Node& node);
+  void push(int heading, int x, int y, int level);
+  bool isHopeless(int score) const;
+  Pose2 poseOf(const Node& node) const;
+  bool leadsOnlyTo(const Node& node, const std::vector<Hypothesis>& known) const;
+
+  EvidenceGrid grid_;
+  std::vector<Ray> rays_;
+  std::vector<float> distances_m_;
+  std::vector<int> cells_;  //!< of each heading, the cells of the rays that the grid knows
+  std::vector<int> counts_;
+  std::vector<Node> nodes_;  //!< a heap
+  Pose2 guess_T_ref_cur_;
+  double turn_rad_ = 0;
+  int headings_ = 0, moves_ = 0;
+  int bestScore_ = 0;  //!< of the poses of the grid so far
 };
+
+/** Whether two starts lead to the same optimum: they are less than 0.3 m and 5 degrees apart. */
+bool isSameStart(const Pose2& a, const Pose2& b);
 }  // namespace psmks

@@ -20,7 +20,8 @@ bool isSameOptimum(const Pose2& a, const Pose2& b, const Eigen::Vector2d& openDi
 void keepDistinctOptima(std::vector<RefinedPose>& poses, const Eigen::Vector2d& openDirection)
 {
   std::sort(poses.begin(), poses.end(),
-            [](const RefinedPose& a, const RefinedPose& b) { return a.score > b.score; });
+            [](const RefinedPose& a, const RefinedPose& b)
+            { return a.logPosterior > b.logPosterior; });
   auto end = poses.begin();
   for (const RefinedPose& pose : poses)
   {

@@ -89,12 +89,13 @@ bool JointConclusion::convergesElsewhere(double turn_rad)
   return isElsewhere;
 }
 
+/** Whether another pose explains the scans about as well, given the prior. */
 bool JointConclusion::explainsAsMuch(const RefinedPose& other) const
 {
-  /** How much less a pose may score that explains as much. Unit: score. Evidence: none of its own;
-   * it was chosen with the scheme as a whole. */
-  constexpr double kSameScore = 0.03;
-  return other.score > best_.score - kSameScore;
+  /** How much less likely a pose may be that explains the scans about as well. Unit: nat. Evidence:
+   * one of them is right in one case of twenty. */
+  constexpr double kAsLikely = 3;
+  return other.score > 0 && other.logPosterior >= best_.logPosterior - kAsLikely;
 }
 
 void JointConclusion::takeHeadingOfGuess()
@@ -152,7 +153,8 @@ void JointConclusion::widen(const Eigen::Vector3d& direction, double variance)
   if (variance > 0) result_.covariance += variance * direction * direction.transpose();
 }
 
-/** Each distinct optimum that explains the scans as well is covered by one standard deviation. */
+/** Lists the distinct optima that explain the scans about as well, and mixes them into the
+ * covariance. */
 void JointConclusion::settleAmbiguity()
 {
   std::vector<RefinedPose>& alternatives = match_.buffers.alternatives;
@@ -163,32 +165,35 @@ void JointConclusion::settleAmbiguity()
   keepDistinctOptima(alternatives, openDirection());
   if (alternatives.empty()) return;
   result_.status = MatchStatus::Degenerate;
-  result_.ambiguity = Ambiguity{static_cast<int>(alternatives.size()), alternatives[0].T_ref_cur};
-  for (const RefinedPose& other : alternatives)
-  {
-    Eigen::Vector3d apart = difference(result_.T_ref_cur, other.T_ref_cur);
-    apart.head<2>() -= openDirection().dot(apart.head<2>()) * openDirection();
-    widen(apart, 1);
-  }
+  result_.ambiguity.emplace();
+  result_.ambiguity->alternatives = static_cast<int>(alternatives.size());
+  double sum = 1;
+  for (const RefinedPose& other : alternatives) sum += relativeLikelihood(other);
+  for (std::size_t i = 0; i < alternatives.size(); ++i)
+    mixIn(alternatives[i], i, relativeLikelihood(alternatives[i]) / sum);
 }
 
-/** Whether another pose of the same heading explains as much, elsewhere than along a direction in
- * which the position is open anyway. */
+/** How likely a pose is beside the accepted one, at most as likely. */
+double JointConclusion::relativeLikelihood(const RefinedPose& other) const
+{
+  return std::exp(std::min(0.0, other.logPosterior - accepted_.logPosterior));
+}
+
+void JointConclusion::mixIn(const RefinedPose& other, std::size_t rank, double weight)
+{
+  if (rank < result_.ambiguity->likeliest.size())
+    result_.ambiguity->likeliest[rank] = {other.T_ref_cur, weight};
+  Eigen::Vector3d apart = difference(result_.T_ref_cur, other.T_ref_cur);
+  apart.head<2>() -= openDirection().dot(apart.head<2>()) * openDirection();
+  widen(apart, weight);
+}
+
+/** Whether another pose explains as much, elsewhere than along a direction in which the position is
+ * open anyway. */
 bool JointConclusion::isAmbiguousWith(const RefinedPose& other) const
 {
-  /** Angle within which an ambiguous pose has the same heading. Evidence: none of its own; it was
-   * chosen with the scheme as a whole. */
-  constexpr double kSameHeading_rad = degToRad(2);
-
-  /** How much less an ambiguous pose may score: where lines hold the pose, and where they hold less
-   * than half of its rays. Unit: score. Evidence: none of its own; it was chosen with the scheme as
-   * a whole. */
-  constexpr double kNearTie = 0.05, kNearTieUnheld = 0.2;
-  const double turned_rad = wrapAngle(other.T_ref_cur.phi_rad - accepted_.T_ref_cur.phi_rad);
-  const double tie = verifier_.isHeldByLines(accepted_) ? kNearTie : kNearTieUnheld;
-  return std::abs(turned_rad) < kSameHeading_rad &&
-         !isSameOptimum(accepted_.T_ref_cur, other.T_ref_cur, openDirection()) &&
-         other.score >= accepted_.score - tie && !verifier_.contradictsGuess(other);
+  return explainsAsMuch(other) && !verifier_.contradictsGuess(other) &&
+         !isSameOptimum(accepted_.T_ref_cur, other.T_ref_cur, openDirection());
 }
 
 /** Along which the position is that of the guess; zero where there is no such direction. */

@@ -39,6 +39,8 @@ class JointConclusion
   void settleCovariance();
   void widen(const Eigen::Vector3d& direction, double variance);
   void settleAmbiguity();
+  double relativeLikelihood(const RefinedPose& other) const;
+  void mixIn(const RefinedPose& other, std::size_t rank, double weight);
   bool isAmbiguousWith(const RefinedPose& other) const;
   Eigen::Vector2d openDirection() const;
 

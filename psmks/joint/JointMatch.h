@@ -2,8 +2,8 @@
 #pragma once
 
 #include <psmks/joint/CorrelativeSearch.h>
-#include <psmks/joint/Hypotheses.h>
 #include <psmks/joint/JointOptions.h>
+#include <psmks/joint/LineVotes.h>
 #include <psmks/joint/RefinedPose.h>
 #include <psmks/joint/ScanScores.h>
 #include <psmks/match/ExternalSolvers.h>
@@ -22,7 +22,7 @@ namespace psmks
 struct JointBuffers
 {
   ScanFeatures reference, current;
-  HypothesisSearch search;
+  LineVotes lineVotes;
   CorrelativeSearch correlativeSearch;
   std::vector<Hypothesis> hypotheses;
   std::vector<RefinedPose> refinedPoses;
@@ -61,6 +61,9 @@ struct JointMatch
   {
     return prior() ? *guess.covariance : MatchResult::unknownCovariance();
   }
+
+  /** Logarithm of the density of the prior at a pose, relative to that at the guess. */
+  double logPrior(const RefinedPose& pose) const;
 
   /** Standard deviation above which the position along a direction is weakly observable: that of
    * the options, or 1.5 standard deviations of a range where that is more. All rays together then

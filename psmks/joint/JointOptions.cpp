@@ -12,15 +12,15 @@ void listFields(OptionTable& table, JointOptions& o)
             "rotation from the guess that is searched, to either side");
   table.add(
       "wide_radius_m", o.wideRadius_m, Unit::Metre, 0, 20,
-      "displacement that is searched, along corridors and where no pose nearer to it explains "
-      "the scans, if a guess was not measured; 0: none, nor is a measured one ever given up");
+      "displacement that is searched where more speaks against the best pose nearer to the guess "
+      "than for it, if the guess was not measured; 0: none, nor is a measured one ever given up");
   table.add(
       "wide_angle_deg", o.wideAngle_rad, Unit::Degree, 0, degToRad(180),
       "rotation that is searched then, to either side, and where a measured guess is given up");
   table.add("voted_angles", o.votedAngles, 1, 36,
             "peaks of the vote of segment angles that are followed");
   table.add("refined_hypotheses", o.refinedHypotheses, 1, 100,
-            "starts that are refined at most when the guess does not hold");
+            "starts that each search refines at most; the wide one twice as many");
   table.add("confident_score", o.confidentScore, Unit::None, 0, 1,
             "free-space score from which no further start is tried");
   table.add("agreed_score", o.agreedScore, Unit::None, 0, 1,

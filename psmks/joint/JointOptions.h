@@ -23,8 +23,8 @@ struct JointOptions
   double wideAngle_rad = degToRad(120);
   int votedAngles = 4;           //!< peaks of the vote that are followed
   int refinedHypotheses = 8;     //!< starts that go through Gauss-Newton at most
-  double confidentScore = 0.92;  //!< a score from which no further start is tried
-  double agreedScore = 0.86;     //!< the same for a pose that a measured guess confirms
+  double confidentScore = 0.75;  //!< a score from which no further start is tried
+  double agreedScore = 0.65;     //!< the same for a pose that a measured guess confirms
   // Refinement
   double distanceGate_m = 0.20;         //!< between associated lines, first association
   double angleGate_rad = degToRad(10);  //!< between associated lines, first association
@@ -37,7 +37,7 @@ struct JointOptions
   JointSolver solver = JointSolver::GaussNewton;
   // Acceptance
   int minAssociations = 10;             //!< fewer associated rays fail
-  double acceptScore = 0.65;            //!< a lower free-space score fails
+  double acceptScore = 0.4;             //!< a lower free-space score fails
   double weakDirectionSigma_m = 0.015;  //!< a direction known worse is flagged as weak
   double unobservableSigma_m = 0.05;    //!< along a direction known worse, the guess is kept
   double weakHeadingSigma_rad = degToRad(1.0);

@@ -19,7 +19,7 @@ void tryGuess(JointMatch& match, CandidateSearch& search)
 {
   /** Rough score from which on the guess is refined before anything is searched. Unit: score.
    * Evidence: none of its own; it was chosen with the scheme as a whole. */
-  constexpr double kPromising = 0.5;
+  constexpr double kPromising = 0.3;
   const Pose2& guess_T_ref_cur = match.guess.T_ref_cur;
   if (match.scores.roughScore(guess_T_ref_cur) >= kPromising) search.refineAndKeep(guess_T_ref_cur);
 }
@@ -37,14 +37,12 @@ MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedSc
   CandidateSearch search(match, verifier, refinement);
   const RefinedPose& best = search.best();
   const bool searchesWide = options.wideRadius_m > 0 && scope == SearchScope::Full;
-  if (searchesWide) search.reserve();
+  search.reserve();
 
   tryGuess(match, search);
-  if (!verifier.isConvincing(best)) search.searchFurther();
+  if (!verifier.isConvincing(best)) search.followVotes();
+  if (!verifier.isConvincing(best)) search.searchNear();
   if (searchesWide && verifier.isDoubtful(best)) search.searchWide();
-  const bool isMeasured = guess.covariance.has_value();
-  if (!isMeasured && verifier.isConvincing(best) && verifier.isWeaklyHeld(best))
-    search.probeAlternatives();
   JointConclusion(match, verifier, refinement, best).conclude(search.mostAssociations());
   return match.result;
 }

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <psmks/features/ScanFeatures.h>
+#include <psmks/joint/Hypothesis.h>
 
 #include <vector>
 
 namespace psmks
 {
 /** How far about a guess line pairs may vote, and how many headings are followed. */
-struct SearchLimits
+struct VoteLimits
 {
   double radius_m;   //!< greatest displacement along either axis of the reference
   double angle_rad;  //!< greatest rotation to either side
@@ -22,15 +23,6 @@ struct VotedAngle
   double votes;    //!< lengths of the pairs of segments that agree on it, m
 };
 
-/** A pose that a search proposes as the start of a refinement. */
-struct Hypothesis
-{
-  Pose2 T_ref_cur;
-  double votes = 0;  //!< lengths of the pairs of lines that agree on it, m, by HypothesisSearch; 0
-                     //!< where another search proposed the pose
-  double score = 0;  //!< see HypothesisScore
-};
-
 /** Votes of segment angles and of line intersections.
  *
  * Every pair of a current and a reference segment proposes the rotation that makes them parallel;
@@ -38,12 +30,12 @@ struct Hypothesis
  * fixes the translation across its line, n.t = d_ref - d_cur, and two pairs that are not parallel
  * fix all of it: the true translation collects many of these intersections (docs/derivations.md).
  */
-class HypothesisSearch
+class LineVotes
 {
  public:
   /** Appends the hypotheses within the limits about the guess, those with most votes first. */
   void propose(const ScanFeatures& reference, const ScanFeatures& current,
-               const Pose2& guess_T_ref_cur, const SearchLimits& limits,
+               const Pose2& guess_T_ref_cur, const VoteLimits& limits,
                std::vector<Hypothesis>& hypotheses);
 
  private:
@@ -58,9 +50,9 @@ class HypothesisSearch
   };
 
   void voteAngles(const ScanFeatures& reference, const ScanFeatures& current, double guess_rad,
-                  const SearchLimits& limits);
+                  const VoteLimits& limits);
   void voteTranslations(const ScanFeatures& reference, const ScanFeatures& current,
-                        const Pose2& guess, const VotedAngle& angle, const SearchLimits& limits);
+                        const Pose2& guess, const VotedAngle& angle, const VoteLimits& limits);
   void collectPeaks(const Pose2& guess, const VotedAngle& angle,
                     std::vector<Hypothesis>& hypotheses) const;
   void cast(double x_m, double y_m, double votes, double radius_m);

@@ -12,31 +12,26 @@ class PoseVerifier
  public:
   explicit PoseVerifier(const JointMatch& match) : match_(match) {}
 
-  /** Whether a pose ends the search: it has converged, its score reaches
-   *  JointOptions::confidentScore, or agreedScore where it agrees with the guess, lines hold it
-   *  (isHeldByLines()), and its position is fixed or the guess is used as a measurement. */
+  /** Whether a pose ends the search: it has converged, lines hold it (isHeldByLines()), and its
+   *  score reaches JointOptions::confidentScore, or agreedScore where it agrees with a measured
+   *  guess. Where few rays hold the position (isWeaklyHeld()) and the guess is no measurement,
+   *  another place along that direction may explain the scans as well, and no score convinces; but
+   *  where the position is not observable along it, and so that of the guess, and the score is at
+   *  least 0.95. */
   bool isConvincing(const RefinedPose& pose) const;
 
-  /** Whether the true pose may be far from this one: the pose is not acceptable, or fewer than 87 %
-   * of the rays are explained and at most 35 % associated. */
+  /** Whether the true pose may be far from this one: more speaks against the pose than for it
+   * (score below 0.5), or it is not acceptable, or its score is below 0.7 and at most 35 % of the
+   * rays are associated. */
   bool isDoubtful(const RefinedPose& pose) const;
 
-  /** Whether a pose may replace a guess with a covariance: at least 87 % of the rays are explained,
-   * more than 35 % associated, and lines hold the pose. */
+  /** Whether a pose may replace a guess with a covariance: a score of at least 0.7, more than 35 %
+   * of the rays associated, and lines hold the pose. */
   bool isBeyondDoubt(const RefinedPose& pose) const;
 
-  /** Whether the true pose may lie far along a wall: fewer than 87 % of the rays are explained, or
-   * the scans do not fix the position. */
-  bool mayBeFarOff(const RefinedPose& pose) const;
-
   /** Whether a match with this pose is accepted: its score reaches JointOptions::acceptScore, or
-   *  0.1 more where it contradicts the guess. */
+   *  0.15 more where it contradicts the guess. */
   bool isAcceptable(const RefinedPose& pose) const;
-
-  /** What refined poses are compared by: the score, less 0.02 where the position is not fixed.
-   * Along a wall poses explain the scans alike wherever they are, so that one that a door jamb
-   * holds is preferred to one that nothing holds. */
-  double rankingScore(const RefinedPose& pose) const;
 
   /** Whether at least half of the rays that lie on surfaces of the other scan are associated. A
    * pose half a degree off has most rays within the tolerance of surfaces, but few lines that pair.
@@ -60,9 +55,9 @@ class PoseVerifier
   bool contradictsGuess(const RefinedPose& pose) const;
 
  private:
+  bool isOpenAndUncontradicted(const RefinedPose& pose) const;
   bool pairsFewRays(const RefinedPose& pose) const;
   bool explainsMost(const RefinedPose& pose) const;
-  bool isPositionFixed(const RefinedPose& pose) const;
 
   const JointMatch& match_;
 };

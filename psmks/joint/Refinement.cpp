@@ -138,26 +138,17 @@ void Refinement::score(RefinedPose& pose) const
   if (match_.prior())
     pose.innovation = innovation({match_.guess.T_ref_cur, *match_.guess.covariance}, pose.T_ref_cur,
                                  pose.scans.H, pose.scans.g);
-  compareWithBestLinePair(pose);
+  pose.logPosterior = logLikelihoodRatio(counts) + match_.logPrior(pose);
+  pose.angleVariance_rad2 = bestAngleVariance_rad2();
 }
 
-/** The kernel may have given up the one pair of lines that knows the heading best, for many others
- * that hardly know it. */
-void Refinement::compareWithBestLinePair(RefinedPose& pose) const
+/** The variance of the angle between the two lines whose directions are known best. */
+double Refinement::bestAngleVariance_rad2() const
 {
-  /** Difference of two angles that chance does not explain. Unit: standard deviations. Evidence:
-   * none of its own; it was chosen with the scheme as a whole. */
-  constexpr double kByChance = 4;
-  pose.angleVariance_rad2 = std::numeric_limits<double>::infinity();
-  pose.bestPairAngleResidual_rad = 0;
+  double variance_rad2 = std::numeric_limits<double>::infinity();
   for (const LinePairTerm& pair : match_.buffers.problem.linePairs)
-  {
-    if (pair.angleVariance_rad2 >= pose.angleVariance_rad2) continue;
-    const double left_rad = wrapAngle(pair.angle_rad + pose.T_ref_cur.phi_rad);
-    pose.angleVariance_rad2 = pair.angleVariance_rad2;
-    pose.bestPairAngleResidual_rad =
-        left_rad * left_rad > kByChance * kByChance * pair.angleVariance_rad2 ? left_rad : 0;
-  }
+    variance_rad2 = std::min(variance_rad2, pair.angleVariance_rad2);
+  return variance_rad2;
 }
 
 bool Refinement::hasTooFew(const RefinedPose& pose) const

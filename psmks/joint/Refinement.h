@@ -19,16 +19,16 @@ class Refinement
    *  Each round associates lines and single rays within gates, and Gauss-Newton solves for the pose
    *  with the associations held fixed. Of n = JointOptions::reassociations rounds
    *
-   *  - the first n - 1 use the gates of the options times `firstShare`, 1/2 and 1/4 of it, ..., and
-   *    end early once most rays are associated and the pose has settled;
-   *  - the last uses a quarter of the gates whatever came before (`firstShare` of them where n is
-   *    1), pairs short lines and circles too, and is repeated at most twice, while it associates
-   *    most rays and still moves the pose.
+   *  - the first n - 1 use the gates of the options, 1/2 and 1/4 of them, ..., and end early once
+   *    most rays are associated and the pose has settled;
+   *  - the last uses a quarter of the gates whatever came before (all of them where n is 1), pairs
+   *    short lines and circles too, and is repeated at most twice, while it associates most rays
+   *    and still moves the pose.
    *
    *  The gate of distances is never narrower than the range noise demands. The prior is the guess
    *  where it is used as a measurement, else the start of the round with 0.3 m and 20 degrees,
    *  which acts only along what the scans do not fix.
-   *  @param firstShare share of the gates of the options in the first round */
+   *  @param firstShare share of the gates of the options in the first round, and halved from it */
   RefinedPose refine(const Pose2& start, double firstShare = 1);
 
  private:
@@ -37,7 +37,7 @@ class Refinement
   double distanceGate_m(double share) const;
   bool solve(const SolverLimits& limits, Pose2& T_ref_cur);
   void score(RefinedPose& pose) const;
-  void compareWithBestLinePair(RefinedPose& pose) const;
+  double bestAngleVariance_rad2() const;
 
   bool hasTooFew(const RefinedPose& pose) const;
   bool isWithin(const Pose2& motion, double share) const;

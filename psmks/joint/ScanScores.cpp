@@ -59,6 +59,6 @@ RayCounts ScanScores::allCounts(const Pose2& T_ref_cur) const
 double ScanScores::inlierRays(const RayCounts& counts) const
 {
   const auto points = static_cast<double>(current_.points.size() + reference_.points.size());
-  return 0.5 * points * counts.on / std::max(1, counts.counted());
+  return 0.5 * points * counts.raysOn / std::max(1, counts.rays);
 }
 }  // namespace psmks

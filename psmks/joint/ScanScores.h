@@ -28,6 +28,9 @@ class ScanScores
    * remain. */
   RayCounts allCounts(const Pose2& T_ref_cur) const;
 
+  /** Distance within which a point is on a surface. */
+  double tolerance_m() const { return static_cast<double>(tolerance_m_); }
+
   /** Rays of a scan that lie on surfaces of the other, mean of both scans.
    *  @param counts of allCounts() */
   double inlierRays(const RayCounts& counts) const;

@@ -76,7 +76,7 @@ std::optional<Eigen::Vector2d> MatchResult::ambiguousDirection() const
 {
   if (!ambiguity) return std::nullopt;
   const Eigen::Vector2d apart_m =
-      ambiguity->dominant_T_ref_cur.translation() - T_ref_cur.translation();
+      ambiguity->likeliest[0].T_ref_cur.translation() - T_ref_cur.translation();
   if (!(apart_m.norm() > 0)) return std::nullopt;
   return apart_m.normalized();
 }

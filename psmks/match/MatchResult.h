@@ -5,6 +5,7 @@
 #include <psmks/geometry/Pose2.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 
@@ -35,7 +36,7 @@ enum class MatchStatus
   TooFewAssociations,
 
   /** Joint scheme: no pose that was tried reached JointOptions::acceptScore (ini:
-   *  `joint.accept_score`), or 0.1 more where it contradicts the guess. Paper's scheme: the
+   *  `joint.accept_score`), or 0.15 more where it contradicts the guess. Paper's scheme: the
    *  matching error did not fall below that of the guess, or the residuals not to
    *  PaperOptions::maxResidual_m (ini: `paper.max_residual_m`). Failure. */
   NoImprovement,
@@ -67,8 +68,19 @@ struct StageTimes
 /** Other optima that explain the scans about as well as the reported pose. */
 struct Ambiguity
 {
-  int alternatives = 0;      //!< distinct optima besides the reported pose, each counted once
-  Pose2 dominant_T_ref_cur;  //!< the alternative with the highest free-space score
+  /** An optimum and its weight: its probability, if the right pose is among the reported one and
+   * the alternatives. */
+  struct Alternative
+  {
+    Pose2 T_ref_cur;
+    double weight = 0;
+  };
+
+  /** Most alternatives that are listed. Unit: poses. Definition: size of the array. */
+  static constexpr int kMost = 4;
+
+  int alternatives = 0;  //!< distinct optima besides the reported pose, each counted once
+  std::array<Alternative, kMost> likeliest;  //!< the first of them, highest weight first
 };
 
 /** What a match found. */
@@ -114,28 +126,30 @@ struct MatchResult
    *
    *  - no pair of lines fixes its direction to 0.25 degrees;
    *  - another heading explains the scans as well: a start turned by 5 degrees ends more than
-   *    `weakHeadingSigma_rad` away, with a free-space score less than 0.03 lower;
-   *  - the heading of the guess explains them as well: a start turned to it ends with a score less
-   *    than 0.03 lower, too.
+   *    `weakHeadingSigma_rad` away, and is at most 20 times less likely by the rays and the prior;
+   *  - the heading of the guess explains them as well: a start turned to it ends at most 20 times
+   *    less likely, too.
    *
    *  The heading is exactly that of the guess, with its variance, and the position the one that
    *  suits this heading. The variance of the heading carries over to the position. Position and
    *  heading are correlated accordingly. */
   bool headingUnobservable = false;
 
-  /** Ambiguity between optima, as between equal doors: other poses explain the scans as well. Joint
-   *  scheme only, and among the poses that were tried: its absence proves nothing. Alternatives are
+  /** Ambiguity between optima, as between equal doors: other poses explain the scans about as well.
+   *  Joint scheme only, and among the poses that were tried: its absence proves nothing. An
+   *  alternative is a refined pose that
    *
-   *  - a refined pose that does not contradict the guess, has the same heading to 2 degrees, lies
-   *    more than 0.1 m away, distances along `unobservableDirection` left out, and has a free-space
-   *    score at most 0.05 lower, or 0.2 where fewer than half of the rays that lie on surfaces are
-   *    associated; or
-   *  - a pose with another heading, where the first two conditions of the list under
-   *    `headingUnobservable` hold and the third does not.
+   *  - is at most 20 times (3 nat) less likely, by the rays (logLikelihoodRatio()) and the prior, a
+   *    guess without a covariance counting as one with unknownCovariance();
+   *  - lies more than 0.1 m or 2 degrees away, distances along `unobservableDirection` left out;
+   *  - does not contradict the guess;
    *
-   *  The pose is the optimum with the highest score, not the guess, nor a mean. For each
-   *  alternative, d away from it in (x, y, phi), d d' is added to the covariance once, so that one
-   *  standard deviation reaches every alternative. */
+   *  or a pose with another heading, where the first two conditions of the list under
+   *  `headingUnobservable` hold and the third does not.
+   *
+   *  The pose is the likeliest optimum, not the guess, nor a mean. The covariance is the second
+   *  moment of the mixture about it: an alternative d away in (x, y, phi) adds its weight times
+   *  d d'. */
   std::optional<Ambiguity> ambiguity;
 
   /** How far the guess is from what the scans alone say. Set by the joint scheme where a usable
@@ -147,11 +161,10 @@ struct MatchResult
    *  contradictsGuess() tells the reason. */
   bool guessGivenUp = false;
 
-  /** Free-space score of the best pose, 0 to 1: a weighted share of the rays that the other scan
-   *  could judge, 1 where all of them lie on its surfaces (freeSpaceScore()). It is no plain share
-   *  of the rays: rays that the other scan could not see are left out, and rays that may have been
-   *  hidden or may lie on a moved object count in part. In a failure that of the best pose that was
-   *  refused, or 0. */
+  /** Free-space score of the best pose, 0 to 1: the share of what speaks for the pose in what
+   * speaks for it and against it (freeSpaceScore()), 1 where all that the other scan could judge
+   * lies on its surfaces, 1/2 where as much speaks against the pose as for it. In a failure that of
+   * the best pose that was refused, or 0. */
   double score = 0;
 
   int associations = 0;  //!< associated rays of the pose that the score belongs to
@@ -173,7 +186,7 @@ struct MatchResult
    *  it the pose, which is the best compromise between both unless the guess was given up. */
   bool contradictsGuess() const;
 
-  /** Unit vector from the position of the reported pose to that of the dominant alternative; none
+  /** Unit vector from the position of the reported pose to that of the likeliest alternative; none
    *  without an ambiguity, or where only the headings differ. */
   std::optional<Eigen::Vector2d> ambiguousDirection() const;
 

@@ -123,7 +123,7 @@ bool ReferencePolicy::isBetter(const MatchResult& toLast, const MatchResult& toR
 {
   /** A match against the last scan is preferred where it explains so much more of the rays. Unit:
    * share of the rays. Evidence: open. */
-  constexpr double kClearly = 0.05;
+  constexpr double kClearly = 0.08;
   return toLast.status == MatchStatus::Converged && toLast.score > toReference.score + kClearly;
 }
 

@@ -39,24 +39,24 @@ struct ReferenceOptions
   double keyframeDistance_m = 2.0;          //!< keyframe: replaced at the latest, moved so far
   double keyframeAngle_rad = degToRad(40);  //!< keyframe: replaced at the latest, turned so far
   int keyframeMinRays = 30;                 //!< compared with MatchResult::associations
-  double keyframeMinScore = 0.50;           //!< compared with MatchResult::score
+  double keyframeMinScore = 0.30;           //!< compared with MatchResult::score
   double mapSpacing_m = 1.0;                //!< map: no new keyframe within this of one ...
   double mapSpacing_rad = degToRad(30);     //!< ... and within this
   double mapDistance_m = 4.0;          //!< map and keyframe: keyframes within this are tried ...
   double mapAngle_rad = degToRad(60);  //!< ... and within this
   double mapMinOverlap = 0.5;          //!< map and keyframe: compared with overlap()
-  double mapMinScore = 0.8;            //!< map and keyframe: least MatchResult::score of a link
+  double mapMinScore = 0.6;            //!< map and keyframe: least MatchResult::score of a link
   double mapDriftShare = 0.03;         //!< map: of the way driven, by which a position may be off
   double mapDriftPerMetre_rad = degToRad(0.1);  //!< map: heading drift, for each metre driven
   int keyframeWindow = 20;  //!< keyframe: a new keyframe is linked to some of the last so many
   int mapLinks = 6;  //!< map and keyframe: most matches that link a new one to those around it
   double linkSigma_m = 0.005;            //!< added to each link, see linkCovariance()
   double linkSigma_rad = degToRad(0.1);  //!< added to each link, see linkCovariance()
-  bool retryLastScan = true;    //!< after a failure, match against the scan before, and if that
-                                //!< fails, too, with a wide prior; false: neither of them
-  double retryScore = 0.94;     //!< a lower MatchResult::score also calls for the scan before
-  double mapRetryScore = 0.85;  //!< the same with a map, where it makes one more keyframe
-  int maxFailures = 5;          //!< in a row, then the reference is given up
+  bool retryLastScan = true;   //!< after a failure, match against the scan before, and if that
+                               //!< fails, too, with a wide prior; false: neither of them
+  double retryScore = 0.85;    //!< a lower MatchResult::score also calls for the scan before
+  double mapRetryScore = 0.7;  //!< the same with a map, where it makes one more keyframe
+  int maxFailures = 5;         //!< in a row, then the reference is given up
 };
 
 /** Adds the section `[reference]` with every field of the options. */

@@ -60,10 +60,10 @@ class SenaLog : public testing::TestWithParam<SenaFigures>
 };
 
 INSTANTIATE_TEST_SUITE_P(Golden, SenaLog,
-                         testing::Values(SenaFigures{"Map", ReferenceChoice::Map, 7956},
+                         testing::Values(SenaFigures{"Map", ReferenceChoice::Map, 7948},
                                          SenaFigures{"Keyframe", ReferenceChoice::Keyframe, 8977},
                                          SenaFigures{"Sequential", ReferenceChoice::Sequential,
-                                                     10179}),
+                                                     9222}),
                          [](const auto& figures) -> std::string { return figures.param.name; });
 }  // namespace
 

@@ -7,11 +7,11 @@ namespace psmks
 {
 namespace
 {
-RefinedPose at(const Pose2& T_ref_cur, double score)
+RefinedPose at(const Pose2& T_ref_cur, double logPosterior)
 {
   RefinedPose pose;
   pose.T_ref_cur = T_ref_cur;
-  pose.score = score;
+  pose.logPosterior = logPosterior;
   return pose;
 }
 
@@ -19,15 +19,26 @@ const Eigen::Vector2d kNoDirection = Eigen::Vector2d::Zero();
 }  // namespace
 
 // Three starts ended at the optimum at x = 2, one at that at x = -1.
-TEST(DistinctOptima, AnOptimumThatSeveralStartsReachedCountsOnceWithItsBestScore)
+TEST(DistinctOptima, AnOptimumThatSeveralStartsReachedCountsOnceAtItsLikeliestPose)
 {
-  std::vector<RefinedPose> poses{at({2.00, 0, 0}, 0.90), at({-1, 0, 0}, 0.91),
-                                 at({2.01, 0.01, 0}, 0.95), at({1.98, 0, degToRad(1)}, 0.89)};
+  std::vector<RefinedPose> poses{at({2.00, 0, 0}, 9), at({-1, 0, 0}, 9.1), at({2.01, 0.01, 0}, 9.5),
+                                 at({1.98, 0, degToRad(1)}, 8.9)};
   keepDistinctOptima(poses, kNoDirection);
   ASSERT_EQ(poses.size(), 2U);
-  EXPECT_EQ(poses[0].score, 0.95);
+  EXPECT_EQ(poses[0].logPosterior, 9.5);
   EXPECT_EQ(poses[0].T_ref_cur.x_m, 2.01);
-  EXPECT_EQ(poses[1].score, 0.91);
+  EXPECT_EQ(poses[1].logPosterior, 9.1);
+}
+
+// The score says how much of what is seen agrees, not how much is seen.
+TEST(DistinctOptima, NotTheScoreOrdersThemButTheLikelihood)
+{
+  RefinedPose littleSeen = at({}, 2), muchSeen = at({1, 0, 0}, 30);
+  littleSeen.score = 1, muchSeen.score = 0.8;
+  std::vector<RefinedPose> poses{littleSeen, muchSeen};
+  keepDistinctOptima(poses, kNoDirection);
+  ASSERT_EQ(poses.size(), 2U);
+  EXPECT_EQ(poses[0].T_ref_cur.x_m, 1);
 }
 
 TEST(DistinctOptima, AnotherHeadingIsAnotherOptimum)

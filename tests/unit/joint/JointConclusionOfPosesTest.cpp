@@ -1,9 +1,13 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
+#include <psmks/geometry/ChiSquared.h>
 #include <psmks/joint/JointConclusion.h>
 #include <psmks/segmentation/Segmentation.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/unit/joint/JointScene.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace psmks
 {
@@ -206,51 +210,160 @@ TEST(JointConclusionInARoundRoom, TheHeadingIsTheGuess)
 
 namespace
 {
-class JointConclusionWithRival : public JointConclusionTest
+/** A pose beside the best one: so far away, and so many nat less likely. */
+struct Rival
+{
+  Pose2 away;
+  double less;
+};
+
+class JointConclusionWithRivals : public JointConclusionTest
 {
  protected:
-  /** The best pose and another one, away from it, among those that were refined. */
-  MatchResult concludeWithRival(const Eigen::Vector2d& away_m, double score)
+  RefinedPose rivalOf(const Rival& rival) const
   {
-    RefinedPose rival = best_;
-    rival.T_ref_cur.x_m += away_m.x();
-    rival.T_ref_cur.y_m += away_m.y();
-    rival.score = score;
-    scene_.buffers.refinedPoses = {best_, rival};
+    RefinedPose pose = best_;
+    pose.T_ref_cur.x_m += rival.away.x_m;
+    pose.T_ref_cur.y_m += rival.away.y_m;
+    pose.T_ref_cur.phi_rad = wrapAngle(pose.T_ref_cur.phi_rad + rival.away.phi_rad);
+    pose.logPosterior -= rival.less;
+    return pose;
+  }
+
+  /** The best pose among others that were refined. */
+  MatchResult concludeWith(const std::vector<Rival>& rivals)
+  {
+    scene_.buffers.refinedPoses = {best_};
+    for (const Rival& rival : rivals) scene_.buffers.refinedPoses.push_back(rivalOf(rival));
     return conclude();
   }
 
-  void expectNoRival(const MatchResult& result)
+  void expectNoAlternative(const MatchResult& result)
   {
     EXPECT_EQ(result.status, MatchStatus::Converged) << result.report();
-    scene_.buffers.refinedPoses = {best_};
-    EXPECT_EQ(result.covariance, conclude().covariance);
+    EXPECT_FALSE(result.ambiguity.has_value());
+    EXPECT_EQ(result.covariance, concludeWith({}).covariance);
   }
 
+  /** What one rival adds to the covariance, by its share of the probability. */
+  static Eigen::Matrix3d spread(const Rival& rival, double weight)
+  {
+    const Eigen::Vector3d d(rival.away.x_m, rival.away.y_m, rival.away.phi_rad);
+    return weight * d * d.transpose();
+  }
+
+  const Pose2 far_{0.9, -1.2, 0};  // 1.5 m
   const Eigen::Vector2d direction_{0.6, -0.8}, across_{0.8, 0.6};
 };
 }  // namespace
 
 // Which of two poses is the true one is open: the covariance reaches from one to the other.
-TEST_F(JointConclusionWithRival, ThePositionIsOpenBetweenPosesThatExplainAsMuch)
+TEST_F(JointConclusionWithRivals, ThePositionIsOpenBetweenPosesThatExplainAsMuch)
 {
-  const double apart_m = 1.5;
-  const double across_m = sigmaAlong(conclude(), across_);
-  const MatchResult result = concludeWithRival(apart_m * direction_, best_.score);
-  EXPECT_TRUE(result.usable()) << result.report();
-  EXPECT_NE(result.status, MatchStatus::Converged) << result.report();
-  EXPECT_GE(sigmaAlong(result, direction_), apart_m / 2) << "half way is the least";
-  EXPECT_LE(sigmaAlong(result, direction_), 1.01 * apart_m);
-  EXPECT_NEAR(sigmaAlong(result, across_), across_m, 0.01 * across_m) << "nothing is open across";
+  const double across_m = sigmaAlong(concludeWith({}), across_);
+  const MatchResult result = concludeWith({{far_, 0}});
+  EXPECT_EQ(result.status, MatchStatus::Degenerate) << result.report();
+  EXPECT_TRUE(isNearly(result.T_ref_cur, best_.T_ref_cur, 0, 0)) << "neither mean nor guess";
+  EXPECT_NEAR(sigmaAlong(result, direction_), 1.5 * std::sqrt(0.5), 1e-4) << "one half each";
+  EXPECT_NEAR(sigmaAlong(result, across_), across_m, 1e-6) << "nothing is open across";
 }
 
-TEST_F(JointConclusionWithRival, APoseThatExplainsClearlyLessIsNoRival)
+// As likely as the best, 1 nat less and 2 nat less: 1, 0.37 and 0.14 to 1.
+TEST_F(JointConclusionWithRivals, WeightsAreTheProbabilitiesOfThePoses)
 {
-  expectNoRival(concludeWithRival(direction_, best_.score - 0.2));
+  const Rival even{far_, 0}, less{{-1, 0.5, 0}, 1}, least{{0, 2, degToRad(90)}, 2};
+  const Eigen::Matrix3d alone = concludeWith({}).covariance;
+  const MatchResult result = concludeWith({less, least, even});
+  ASSERT_TRUE(result.ambiguity);
+  const Ambiguity& ambiguity = *result.ambiguity;
+  EXPECT_EQ(ambiguity.alternatives, 3);
+  const double sum = 1 + 1 + std::exp(-1) + std::exp(-2);
+  const Rival inOrder[] = {even, less, least};
+  Eigen::Matrix3d mixture = alone;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    EXPECT_NEAR(ambiguity.likeliest[k].weight, std::exp(-inOrder[k].less) / sum, 1e-12) << k;
+    EXPECT_TRUE(
+        isNearly(ambiguity.likeliest[k].T_ref_cur, rivalOf(inOrder[k]).T_ref_cur, 0, 1e-12));
+    mixture += spread(inOrder[k], std::exp(-inOrder[k].less) / sum);
+  }
+  EXPECT_EQ(ambiguity.likeliest[3].weight, 0) << "there is no fourth";
+  EXPECT_TRUE(result.covariance.isApprox(mixture, 1e-9)) << "the second moment of the mixture";
+  EXPECT_TRUE(result.ambiguousDirection()->isApprox(direction_)) << "to the likeliest";
 }
 
-TEST_F(JointConclusionWithRival, APoseAtTheSamePlaceIsNoRival)
+// 3 nat are one in twenty.
+TEST_F(JointConclusionWithRivals, APoseThatIsClearlyLessLikelyIsNoAlternative)
 {
-  expectNoRival(concludeWithRival(0.02 * direction_, best_.score));
+  expectNoAlternative(concludeWith({{far_, 4}}));
+  expectNoAlternative(concludeWith({{far_, 3.01}}));
+  const MatchResult at3 = concludeWith({{far_, 2.99}});
+  ASSERT_TRUE(at3.ambiguity);
+  EXPECT_NEAR(at3.ambiguity->likeliest[0].weight, 1 / (1 + std::exp(2.99)), 1e-12);
+}
+
+// A score says nothing of how much was seen.
+TEST_F(JointConclusionWithRivals, TheScoreDoesNotDecideWhatIsAnAlternative)
+{
+  RefinedPose likely = rivalOf({far_, 0.5}), unlikely = rivalOf({far_, 6});
+  likely.score = best_.score - 0.3, unlikely.score = best_.score;
+  scene_.buffers.refinedPoses = {best_, likely};
+  EXPECT_TRUE(conclude().ambiguity);
+  scene_.buffers.refinedPoses = {best_, unlikely};
+  EXPECT_FALSE(conclude().ambiguity);
+}
+
+TEST_F(JointConclusionWithRivals, APoseAtTheSamePlaceIsNoAlternative)
+{
+  expectNoAlternative(concludeWith({{{0.012, -0.016, 0}, 0}}));
+  expectNoAlternative(concludeWith({{{0.08, 0.04, degToRad(1.9)}, 0}}));
+  EXPECT_TRUE(concludeWith({{{0.08, 0.08, 0}, 0}}).ambiguity) << "more than 0.1 m away";
+  EXPECT_TRUE(concludeWith({{{0, 0, degToRad(2.1)}, 0}}).ambiguity);
+}
+
+TEST_F(JointConclusionWithRivals, StartsThatEndedAtOneOptimumCountOnce)
+{
+  const Rival better{far_, 1}, worse{{0.92, -1.2, 0}, 2};
+  const MatchResult result = concludeWith({worse, better});
+  ASSERT_TRUE(result.ambiguity);
+  EXPECT_EQ(result.ambiguity->alternatives, 1);
+  EXPECT_NEAR(result.ambiguity->likeliest[0].weight, 1 / (1 + std::exp(1)), 1e-12);
+  EXPECT_TRUE(isNearly(result.ambiguity->likeliest[0].T_ref_cur, rivalOf(better).T_ref_cur, 0, 0));
+}
+
+TEST_F(JointConclusionWithRivals, MoreThanAreListedAreCountedAndMixedIn)
+{
+  std::vector<Rival> rivals;
+  Eigen::Matrix3d mixture = concludeWith({}).covariance;
+  double sum = 1;
+  for (int k = 0; k < Ambiguity::kMost + 2; ++k)
+  {
+    rivals.push_back({{0.5 * (k + 1), 0.2 * k, 0}, 0.4 * k});
+    sum += std::exp(-0.4 * k);
+  }
+  for (const Rival& rival : rivals) mixture += spread(rival, std::exp(-rival.less) / sum);
+  std::reverse(rivals.begin(), rivals.end());
+  const MatchResult result = concludeWith(rivals);
+  ASSERT_TRUE(result.ambiguity);
+  EXPECT_EQ(result.ambiguity->alternatives, Ambiguity::kMost + 2);
+  for (std::size_t k = 0; k < std::size_t{Ambiguity::kMost}; ++k)
+    EXPECT_NEAR(result.ambiguity->likeliest[k].weight,
+                std::exp(-0.4 * static_cast<double>(k)) / sum, 1e-12);
+  EXPECT_TRUE(result.covariance.isApprox(mixture, 1e-9));
+}
+
+// The best pose is the guess, which was measured with 10 cm: another one 1.5 m away contradicts it.
+TEST_F(JointConclusionWithRivals, APoseThatContradictsAMeasuredGuessIsNoAlternative)
+{
+  scene_.guess.T_ref_cur = kTruth;
+  scene_.measureGuess(0.1, degToRad(2));
+  best_ = refined();
+  RefinedPose other = rivalOf({far_, 0});
+  ASSERT_FALSE(other.innovation.isContradiction());
+  scene_.buffers.refinedPoses = {best_, other};
+  EXPECT_TRUE(conclude().ambiguity);
+  other.innovation = {kChi2At999With3Dof + 1, 3};
+  scene_.buffers.refinedPoses = {best_, other};
+  EXPECT_FALSE(conclude().ambiguity);
 }
 }  // namespace psmks

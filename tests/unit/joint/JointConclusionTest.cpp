@@ -105,7 +105,11 @@ TEST(JointConclusion, AlongAWeakDirectionThePoseIsTheEstimateWithItsCovariance)
 //   '--'  '--'  '--'  '--'  '--'             looks the same 1 m farther on, but for the ends of
 //   what
 //  ------------------------------   y = -1   is seen
-TEST(JointConclusion, EachDistinctOptimumIsCoveredByOneStandardDeviationAndCountsOnce)
+//
+// The pose is 0.45 m from the guess, the place that looks like it 0.55 m to the other side. The
+// covariance is the second moment of both: C >= w d d', and so d' C^-1 d <= 1 / w, for every
+// alternative d away with the weight w.
+TEST(JointConclusion, EachDistinctOptimumIsCoveredByItsShareOfTheProbabilityAndCountsOnce)
 {
   std::vector<Eigen::Vector2d> corners_m{{-20, -1}, {20, -1}, {20, 1}};
   for (double right_m = 18.5; right_m > -18; right_m -= 1)
@@ -115,22 +119,29 @@ TEST(JointConclusion, EachDistinctOptimumIsCoveredByOneStandardDeviationAndCount
       corners_m.push_back(corner_m);
   corners_m.push_back({-20, 1});
   int ambiguous = 0;
+  const Pose2 T_ref_cur{0.45, 0, 0};
   for (unsigned seed = 0; seed < 10; ++seed)
   {
-    const MatchResult result = matchIn(outline(corners_m), {}, {0.45, 0, 0}, {}, seed);
+    const MatchResult result = matchIn(outline(corners_m), {}, T_ref_cur, {}, seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + result.report());
+    const bool isRight = isNearly(result.T_ref_cur, T_ref_cur, 0.05, degToRad(1));
     if (!result.ambiguity) continue;
     ++ambiguous;
     EXPECT_EQ(result.status, MatchStatus::Degenerate);
     const Pose2& T = result.T_ref_cur;
-    const Pose2& other = result.ambiguity->dominant_T_ref_cur;
-    const Eigen::Vector3d apart(other.x_m - T.x_m, other.y_m - T.y_m,
-                                wrapAngle(other.phi_rad - T.phi_rad));
-    EXPECT_LE(apart.dot(result.covariance.inverse() * apart), 1) << result.report();
+    const Ambiguity::Alternative& other = result.ambiguity->likeliest[0];
+    EXPECT_TRUE(isRight || isNearly(other.T_ref_cur, T_ref_cur, 0.05, degToRad(1)));
+    EXPECT_GE(other.weight, std::exp(-3) / (1 + result.ambiguity->alternatives));
+    EXPECT_LE(other.weight, 0.5) << "the reported pose is the likeliest";
+    const Eigen::Vector3d apart(other.T_ref_cur.x_m - T.x_m, other.T_ref_cur.y_m - T.y_m,
+                                wrapAngle(other.T_ref_cur.phi_rad - T.phi_rad));
+    EXPECT_LE(apart.dot(result.covariance.inverse() * apart), 1 / other.weight);
     if (result.ambiguity->alternatives != 1) continue;
     const double spread_m2 = result.covariance.topLeftCorner<2, 2>().trace();
-    EXPECT_LT(spread_m2, 1.05 * apart.head<2>().squaredNorm() + 0.01) << result.report();
+    EXPECT_LT(spread_m2, 1.01 * other.weight * apart.head<2>().squaredNorm() + 0.001);
   }
-  EXPECT_GT(ambiguous, 3);  // measured: 7 of these 10 seeds
+  // Where the first pose that is found is firmly held, no other is sought. Measured: 6 of 10.
+  EXPECT_GT(ambiguous, 3);
 }
 
 // A guess 20 mm off that claims 1 mm: it pulls the pose, and the result says that the scans object.

@@ -39,15 +39,41 @@ TEST(Refinement, WithoutEnoughAssociationsThereIsNoScore)
   EXPECT_LT(pose.associations, scene.options.minAssociations);
 }
 
-// Off by 14 cm: within the gate of 20 cm, not within half of it.
-TEST(Refinement, AShareOfTheGatesIsOfTheFirstAssociation)
+// Off by 14 cm: within the gate of 20 cm. Off by 24 cm: beyond it.
+TEST(Refinement, AStartBeyondTheGatesFindsNothing)
 {
   JointScene scene({{{3, -2}, {3, 2}}}, {}, BeamGrid::centered(kPi, 181));
   JointMatch match = scene.match();
   Refinement refinement(match);
   EXPECT_NEAR(refinement.refine({0.14, 0, 0}).T_ref_cur.x_m, 0, 1e-3);
-  EXPECT_EQ(refinement.refine({0.14, 0, 0}, 0.5).score, -1);
-  EXPECT_NEAR(refinement.refine({0.09, 0, 0}, 0.5).T_ref_cur.x_m, 0, 1e-3);
+  EXPECT_EQ(refinement.refine({0.24, 0, 0}).score, -1);
+}
+
+// What the rays say, and the prior: that of a guess nobody measured is one of 1 m and 30 degrees.
+// In a room at whose true pose all rays are on surfaces, the likelihood is that of the looks.
+TEST(Refinement, TheLogPosteriorIsThatOfRaysAndPrior)
+{
+  const Pose2 truth{0.3, -0.2, degToRad(6)};
+  JointScene scene(squareRoom(), truth, BeamGrid::centered(2 * kPi, 360));
+  scene.guess.T_ref_cur = {0.1, 0.2, degToRad(-6)};
+  JointMatch match = scene.match();
+  const RefinedPose pose = Refinement(match).refine(truth);
+  ASSERT_TRUE(isNearly(pose.T_ref_cur, truth, 1e-3, degToRad(0.02)));
+  const RayCounts counts = scene.scores().allCounts(pose.T_ref_cur);
+  const double prior = -0.5 * (0.2 * 0.2 + 0.4 * 0.4 + std::pow(12.0 / 30, 2));
+  EXPECT_NEAR(match.logPrior(pose), prior, 2e-3);
+  EXPECT_NEAR(pose.logPosterior, logLikelihoodRatio(counts) + prior, 2e-3);
+  EXPECT_NEAR(pose.score, freeSpaceScore(counts), 1e-12);
+
+  // A measured one, of 10 cm and 3 degrees: 2, 4 and 4 standard deviations away.
+  scene.measureGuess(0.1, degToRad(3));
+  JointMatch measured = scene.match();
+  const RefinedPose held = Refinement(measured).refine(truth);
+  EXPECT_NEAR(measured.logPrior(held), -0.5 * held.innovation.chi2, 1e-12);
+  EXPECT_NEAR(held.innovation.chi2, 4 + 16 + 16, 0.5);
+  EXPECT_NEAR(
+      held.logPosterior,
+      logLikelihoodRatio(scene.scores().allCounts(held.T_ref_cur)) + measured.logPrior(held), 1e-9);
 }
 
 // ------------------   Along bare walls a start stays where it is, and what is known of the place

@@ -71,7 +71,10 @@ TEST(MatchResult, TheReportIsOneLineWithUnits)
   result.unobservableDirection.reset();
   result.weakDirection = Eigen::Vector2d(1, 0);
   EXPECT_TRUE(test::says(result.report(), {"weakly observable along 0.0 deg"}));
-  result.ambiguity = Ambiguity{2, {0.82, 1.916, degToRad(8.73)}};
+  result.ambiguity.emplace();
+  result.ambiguity->alternatives = 2;
+  result.ambiguity->likeliest[0] = {{0.82, 1.916, degToRad(8.73)}, 0.4};
+  result.ambiguity->likeliest[1] = {{5, -0.084, degToRad(8.73)}, 0.1};
   EXPECT_TRUE(test::says(result.report(), {"; 2 alternatives"}));
   EXPECT_TRUE(result.ambiguousDirection()->isApprox(Eigen::Vector2d(0, 1)));
   result.guessGivenUp = true;
@@ -95,7 +98,9 @@ TEST(MatchResult, HasNoAmbiguousDirectionWhereOnlyHeadingsDiffer)
 {
   MatchResult result;
   EXPECT_FALSE(result.ambiguousDirection().has_value());
-  result.ambiguity = Ambiguity{1, {0, 0, degToRad(5)}};
+  result.ambiguity.emplace();
+  result.ambiguity->alternatives = 1;
+  result.ambiguity->likeliest[0] = {{0, 0, degToRad(5)}, 0.5};
   EXPECT_FALSE(result.ambiguousDirection().has_value());
 }
 

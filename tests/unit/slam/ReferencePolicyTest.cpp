@@ -46,9 +46,10 @@ TEST(ReferencePolicy, AKeyframeStaysUntilTooLittleOfItIsSeen)
   EXPECT_FALSE(policy.replacesReference(kGood, kFar, 0));
   EXPECT_TRUE(policy.replacesReference(kGood, {2.1, 0, 0}, 0));
   EXPECT_TRUE(policy.replacesReference(kGood, {0, 0, degToRad(41)}, 0));
-  EXPECT_TRUE(policy.replacesReference(matchOf(MatchStatus::Converged, 0.4), kFar, 0));
+  EXPECT_TRUE(policy.replacesReference(matchOf(MatchStatus::Converged, 0.29), kFar, 0));
+  EXPECT_FALSE(policy.replacesReference(matchOf(MatchStatus::Converged, 0.31), kFar, 0));
   EXPECT_TRUE(policy.replacesReference(matchOf(MatchStatus::Converged, 1, 29), kFar, 0));
-  EXPECT_FALSE(policy.replacesReference(matchOf(MatchStatus::Converged, 0.4, 29), kNear, 0));
+  EXPECT_FALSE(policy.replacesReference(matchOf(MatchStatus::Converged, 0.29, 29), kNear, 0));
 }
 
 TEST(ReferencePolicy, AfterAFailureTheReferenceWaitsUntilItIsGivenUp)
@@ -114,8 +115,8 @@ TEST(ReferencePolicy, AUsableMatchThatExplainsMostRaysLinksKeyframes)
   for (const MatchStatus status :
        {MatchStatus::Converged, MatchStatus::MaxIterations, MatchStatus::Degenerate})
   {
-    EXPECT_TRUE(mapPolicy().isLink(matchOf(status, 0.8)));
-    EXPECT_FALSE(mapPolicy().isLink(matchOf(status, 0.79)));
+    EXPECT_TRUE(mapPolicy().isLink(matchOf(status, 0.6)));
+    EXPECT_FALSE(mapPolicy().isLink(matchOf(status, 0.59)));
   }
   EXPECT_FALSE(mapPolicy().isLink(matchOf(MatchStatus::NoImprovement)));
 }

@@ -1,6 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
-#include <psmks/joint/Hypotheses.h>
+#include <psmks/joint/LineVotes.h>
 #include <tests/support/Scenes.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace psmks
 {
 namespace
 {
-const SearchLimits kLimits{1.3, degToRad(60), 4};
+const VoteLimits kLimits{1.3, degToRad(60), 4};
 
 struct Scene
 {
@@ -22,13 +22,13 @@ struct Scene
   }
 
   /** Hypotheses about a guess, those with most votes first. */
-  std::vector<Hypothesis> proposed(const Pose2& guess, const SearchLimits& limits = kLimits) const
+  std::vector<Hypothesis> proposed(const Pose2& guess, const VoteLimits& limits = kLimits) const
   {
-    HypothesisSearch search;
+    LineVotes search;
     std::vector<Hypothesis> hypotheses;
     search.propose(reference, current, guess, limits, hypotheses);
     std::sort(hypotheses.begin(), hypotheses.end(),
-              [](const Hypothesis& a, const Hypothesis& b) { return a.votes > b.votes; });
+              [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
     return hypotheses;
   }
 
@@ -52,7 +52,7 @@ std::size_t rankOf(const Pose2& truth, const std::vector<Hypothesis>& hypotheses
 }
 }  // namespace
 
-TEST(HypothesisSearch, AKnownMotionIsAmongTheTopThree)
+TEST(LineVotes, AKnownMotionIsAmongTheTopThree)
 {
   const Pose2 motions[] = {{0, 0, 0},
                            {0.6, -0.3, degToRad(30)},
@@ -72,17 +72,17 @@ TEST(HypothesisSearch, AKnownMotionIsAmongTheTopThree)
     }
 }
 
-TEST(HypothesisSearch, TheSearchIsAboutTheGuess)
+TEST(LineVotes, TheSearchIsAboutTheGuess)
 {
   const Pose2 truth{1.5, 0.5, degToRad(80)};
   const Scene scene(officeRoom(), truth, BeamGrid::centered(2 * kPi, 360));
   EXPECT_LT(rankOf(truth, scene.proposed({1, 0, degToRad(60)})), 3u);
 }
 
-TEST(HypothesisSearch, NothingIsProposedBeyondTheLimits)
+TEST(LineVotes, NothingIsProposedBeyondTheLimits)
 {
   const Scene scene(officeRoom(), {0.9, 0.2, degToRad(10)}, BeamGrid::centered(2 * kPi, 360));
-  const SearchLimits narrow{0.5, degToRad(15), 4};
+  const VoteLimits narrow{0.5, degToRad(15), 4};
   const std::vector<Hypothesis> hypotheses = scene.proposed({}, narrow);
   EXPECT_FALSE(hypotheses.empty());
   for (const Hypothesis& h : hypotheses)
@@ -96,7 +96,7 @@ TEST(HypothesisSearch, NothingIsProposedBeyondTheLimits)
 //  --------------      the walls say nothing of the position along them: the guess stays there
 //      o   x
 //  --------------
-TEST(HypothesisSearch, ALoneDirectionKeepsTheGuessAlongTheWalls)
+TEST(LineVotes, ALoneDirectionKeepsTheGuessAlongTheWalls)
 {
   const Scene scene(corridor(), {0.5, 0.2, degToRad(10)}, BeamGrid::centered(kPi, 181));
   const std::vector<Hypothesis> hypotheses = scene.proposed({0.3, 0, 0});
@@ -106,7 +106,7 @@ TEST(HypothesisSearch, ALoneDirectionKeepsTheGuessAlongTheWalls)
   EXPECT_NEAR(hypotheses[0].T_ref_cur.phi_rad, degToRad(10), degToRad(1));
 }
 
-TEST(HypothesisSearch, WithoutSegmentsNothingIsProposed)
+TEST(LineVotes, WithoutSegmentsNothingIsProposed)
 {
   const Scene scene({}, {}, BeamGrid::centered(kPi, 181));
   EXPECT_TRUE(scene.proposed({}).empty());

@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/joint/Hypotheses.h>
+#include <psmks/joint/LineVotes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +39,8 @@ double evidence_m(const Segment& a, const Segment& b)
 }
 }  // namespace
 
-void HypothesisSearch::voteAngles(const ScanFeatures& reference, const ScanFeatures& current,
-                                  double guess_rad, const SearchLimits& limits)
+void LineVotes::voteAngles(const ScanFeatures& reference, const ScanFeatures& current,
+                           double guess_rad, const VoteLimits& limits)
 {
   const int half = static_cast<int>(std::ceil(limits.angle_rad / kAngleBin_rad));
   const int bins = 2 * half + 1;
@@ -76,7 +76,7 @@ void HypothesisSearch::voteAngles(const ScanFeatures& reference, const ScanFeatu
 }
 
 /** One vote, spread over the grid cell's centre of gravity. */
-void HypothesisSearch::cast(double x_m, double y_m, double votes, double radius_m)
+void LineVotes::cast(double x_m, double y_m, double votes, double radius_m)
 {
   if (std::abs(x_m) > radius_m || std::abs(y_m) > radius_m) return;
   const int column = static_cast<int>((x_m + radius_m) / kGridCell_m);
@@ -87,9 +87,9 @@ void HypothesisSearch::cast(double x_m, double y_m, double votes, double radius_
   cell.sumY_m += votes * y_m;
 }
 
-void HypothesisSearch::voteTranslations(const ScanFeatures& reference, const ScanFeatures& current,
-                                        const Pose2& guess, const VotedAngle& angle,
-                                        const SearchLimits& limits)
+void LineVotes::voteTranslations(const ScanFeatures& reference, const ScanFeatures& current,
+                                 const Pose2& guess, const VotedAngle& angle,
+                                 const VoteLimits& limits)
 {
   // One empty cell all round: a peak then always has eight neighbours.
   gridSide_ = static_cast<int>(std::ceil(2 * limits.radius_m / kGridCell_m)) + 3;
@@ -128,8 +128,8 @@ void HypothesisSearch::voteTranslations(const ScanFeatures& reference, const Sca
   }
 }
 
-void HypothesisSearch::collectPeaks(const Pose2& guess, const VotedAngle& angle,
-                                    std::vector<Hypothesis>& hypotheses) const
+void LineVotes::collectPeaks(const Pose2& guess, const VotedAngle& angle,
+                             std::vector<Hypothesis>& hypotheses) const
 {
   const auto begin = hypotheses.size();
   for (int row = 1; row + 1 < gridSide_; ++row)
@@ -151,19 +151,18 @@ void HypothesisSearch::collectPeaks(const Pose2& guess, const VotedAngle& angle,
       if (!peak) continue;
       hypotheses.push_back(
           {{guess.x_m + sum.sumX_m / sum.votes, guess.y_m + sum.sumY_m / sum.votes, angle.phi_rad},
-           sum.votes,
-           0});
+           sum.votes});
     }
   const auto first = hypotheses.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto kept = std::min<std::ptrdiff_t>(kPeaksPerAngle, hypotheses.end() - first);
   std::partial_sort(first, first + kept, hypotheses.end(),
-                    [](const Hypothesis& a, const Hypothesis& b) { return a.votes > b.votes; });
+                    [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
   hypotheses.resize(begin + static_cast<std::size_t>(kept));
 }
 
-void HypothesisSearch::propose(const ScanFeatures& reference, const ScanFeatures& current,
-                               const Pose2& guess_T_ref_cur, const SearchLimits& limits,
-                               std::vector<Hypothesis>& hypotheses)
+void LineVotes::propose(const ScanFeatures& reference, const ScanFeatures& current,
+                        const Pose2& guess_T_ref_cur, const VoteLimits& limits,
+                        std::vector<Hypothesis>& hypotheses)
 {
   voteAngles(reference, current, guess_T_ref_cur.phi_rad, limits);
   for (const VotedAngle& angle : angles_)
