@@ -39,16 +39,16 @@ bool joined(const SegmentedScan& scan, int a, int b)
 void flagObject(const SegmentedScan& scan, int first, std::vector<std::uint8_t>& movable)
 {
   const Eigen::Vector2d first_m = scan.point_m(first);
-  int last = first, count = 1;
-  for (int next = scan.grid.neighbour(last, 1); count < scan.rays() && joined(scan, last, next);
-       next = scan.grid.neighbour(last, 1), ++count)
+  int last = first, rays = 1;
+  for (int next = scan.nextReturn(last, 1); rays < scan.rays() && joined(scan, last, next);
+       next = scan.nextReturn(last, 1), ++rays)
   {
     last = next;
     if ((scan.point_m(last) - first_m).squaredNorm() > kWidest_m * kWidest_m) return;
   }
-  if (!dropsBehind(scan, last, scan.grid.neighbour(last, 1))) return;
-  for (int k = 0; k < count; ++k)
-    movable[static_cast<std::size_t>(scan.grid.neighbour(first, k))] = 1;
+  if (!dropsBehind(scan, last, scan.nextReturn(last, 1))) return;
+  for (int ray = first; rays > 0; ray = scan.nextReturn(ray, 1), --rays)
+    movable[static_cast<std::size_t>(ray)] = 1;
 }
 }  // namespace
 
@@ -58,7 +58,7 @@ void findMovableObjects(const SegmentedScan& scan, std::vector<std::uint8_t>& mo
   for (int first = 0; first < scan.rays(); ++first)
   {
     if (!scan.isValid(first)) continue;
-    if (dropsBehind(scan, first, scan.grid.neighbour(first, -1))) flagObject(scan, first, movable);
+    if (dropsBehind(scan, first, scan.nextReturn(first, -1))) flagObject(scan, first, movable);
     // An object does not begin within a segment.
     if (const Segment* segment = scan.segmentAt(first)) first = scan.rayAfter(*segment, first) - 1;
   }

@@ -7,6 +7,7 @@ namespace psmks
 {
 void PolarLookup::build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
                         const std::vector<int>& lineOfRay,
+                        const std::vector<std::uint8_t>& hasSurface,
                         const std::vector<std::uint8_t>& movableRays)
 {
   const int rays = scan.rays();
@@ -30,7 +31,7 @@ void PolarLookup::build(const SegmentedScan& scan, const std::vector<AnchoredLin
   for (std::size_t i = 0; i < size; ++i)
     side[i] = lineOfRay[i] >= 0 ? ofLine[lineOfRay[i]] : roundSide(scan, i);
   sides_[size] = sides_[0];
-  flagCells(scan.valid, movableRays);
+  flagCells(hasSurface, movableRays);
 }
 
 /** The surface of a ray without a line: the tangent, at the end point of the ray, of the circle
@@ -42,15 +43,15 @@ PolarLookup::Side PolarLookup::roundSide(const SegmentedScan& scan, std::size_t 
 }
 
 /** Sets the flags of each cell to those that both of its rays have. */
-void PolarLookup::flagCells(const std::vector<std::uint8_t>& valid,
+void PolarLookup::flagCells(const std::vector<std::uint8_t>& hasSurface,
                             const std::vector<std::uint8_t>& movable)
 {
-  const std::size_t rays = valid.size();
+  const std::size_t rays = hasSurface.size();
   flags_.resize(rays + 1);
-  const std::uint8_t *returned = valid.data(), *moves = movable.data();
+  const std::uint8_t *known = hasSurface.data(), *moves = movable.data();
   std::uint8_t* flag = flags_.data();
   for (std::size_t i = 0; i < rays; ++i)
-    flag[i] = static_cast<std::uint8_t>((returned[i] != 0) * kKnown | (moves[i] != 0) * kMovable);
+    flag[i] = static_cast<std::uint8_t>((known[i] != 0) * kKnown | (moves[i] != 0) * kMovable);
   flag[rays] = flag[0];
   for (std::size_t k = 0; k < rays; ++k) flag[k] &= flag[k + 1];
 }

@@ -34,9 +34,11 @@ class PolarLookup
    * where the scan has more rays or lines than any scan before.
    *  @param lines of the segments, short lines and surfels
    *  @param lineOfRay index into `lines` for every ray, or -1
+   *  @param hasSurface one flag per ray: whether it has a return, or a line without one
    *  @param movableRays one flag per ray, see findMovableObjects() */
   void build(const SegmentedScan& scan, const std::vector<AnchoredLine>& lines,
-             const std::vector<int>& lineOfRay, const std::vector<std::uint8_t>& movableRays);
+             const std::vector<int>& lineOfRay, const std::vector<std::uint8_t>& hasSurface,
+             const std::vector<std::uint8_t>& movableRays);
 
   /** Number of cells: one less than rays, on a closed grid as many. */
   int cells() const { return cells_; }
@@ -44,7 +46,7 @@ class PolarLookup
   /** The two surfaces of a cell: elements 0 and 1 of the array. */
   const Side* sides(int k) const { return sides_.data() + k; }
 
-  /** Whether both rays of a cell have a return. */
+  /** Whether both rays of a cell have a surface. */
   bool known(int k) const { return flags_[static_cast<std::size_t>(k)] & kKnown; }
 
   /** Whether both rays of a cell are on movable objects. */
@@ -64,7 +66,8 @@ class PolarLookup
 
  private:
   static Side roundSide(const SegmentedScan& scan, std::size_t ray);
-  void flagCells(const std::vector<std::uint8_t>& valid, const std::vector<std::uint8_t>& movable);
+  void flagCells(const std::vector<std::uint8_t>& hasSurface,
+                 const std::vector<std::uint8_t>& movable);
 
   /** Half a circle. Unit: rad. Definition: pi as a float. */
   static constexpr float kPiF = 3.14159265359f;

@@ -22,7 +22,30 @@ void ScanFeatures::build(const SegmentedScan& segmented)
     for (int ray = lineFeatures[s].firstRay; ray <= lineFeatures[s].lastRay; ++ray)
       lineOfRay[static_cast<std::size_t>(ray)] = static_cast<int>(s);
   appendSurfels(segmented, lines, lineOfRay);
-  surface.build(segmented, lines, lineOfRay, movable);
+  closeHoles();
+  surface.build(segmented, lines, lineOfRay, hasSurface, movable);
+}
+
+/** Where returns are sparse, the rays without a return between two of one segment belong to its
+ * surface. */
+void ScanFeatures::closeHoles()
+{
+  hasSurface = scan->valid;
+  if (scan->longestHole == 0) return;
+  for (int ray = 0; ray < scan->rays(); ++ray)
+  {
+    const int line = scan->segmentOfRay[static_cast<std::size_t>(ray)];
+    const int next = scan->isValid(ray) ? scan->nextReturn(ray, 1) : -1;
+    if (line == SegmentedScan::kNoSegment || next < 0 ||
+        scan->segmentOfRay[static_cast<std::size_t>(next)] != line)
+      continue;
+    for (int hole = scan->grid.neighbour(ray, 1); hole != next;
+         hole = scan->grid.neighbour(hole, 1))
+    {
+      lineOfRay[static_cast<std::size_t>(hole)] = line;
+      hasSurface[static_cast<std::size_t>(hole)] = 1;
+    }
+  }
 }
 
 void ScanFeatures::findUnsegmentedRays()

@@ -33,6 +33,10 @@ struct ScanFeatures
   /** Index into `lines` for each ray, or -1. */
   std::vector<int> lineOfRay;
 
+  /** One flag per ray: whether it has a return, or is in a hole of a segment
+   * (SegmentedScan::longestHole). */
+  std::vector<std::uint8_t> hasSurface;
+
   /** One flag per ray, see findMovableObjects(). */
   std::vector<std::uint8_t> movable;
 
@@ -51,5 +55,6 @@ struct ScanFeatures
 
  private:
   void findUnsegmentedRays();
+  void closeHoles();
 };
 }  // namespace psmks

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace psmks
 {
@@ -35,6 +36,45 @@ void dropFlagged(const std::vector<std::uint8_t>& valid, SegmentedScan& result)
     result.range_m[i] = 0;
   }
 }
+
+/** The largest k such that only every k-th ray returns; 1 where there are too few returns to tell.
+ */
+int commonSpacing(const SegmentedScan& scan)
+{
+  /** Fewest returns that tell it. Unit: returns. Evidence: all of eight rays that return at random
+   * are a multiple of two apart once in 128 times. */
+  constexpr int kFewest = 8;
+  int spacing = 0, before = -1, returns = 0;
+  for (int ray = 0; ray < scan.rays() && spacing != 1; ++ray)
+  {
+    if (!scan.isValid(ray)) continue;
+    if (before >= 0) spacing = std::gcd(spacing, ray - before);
+    before = ray;
+    ++returns;
+  }
+  return returns < kFewest ? 1 : spacing;
+}
+
+/** Takes the rays out that never return, where these are all but every k-th: the scanner is then
+ * one with k times the increment. */
+void dropSilentRays(SegmentedScan& scan)
+{
+  const int spacing = commonSpacing(scan);
+  if (spacing < 2 || (scan.grid.closed() && scan.rays() % spacing != 0)) return;
+  const auto firstReturn = std::find(scan.valid.begin(), scan.valid.end(), std::uint8_t{1});
+  const int first = static_cast<int>(firstReturn - scan.valid.begin()) % spacing;
+  const int count = (scan.rays() - 1 - first) / spacing + 1;
+  for (int kept = 0; kept < count; ++kept)
+  {
+    const auto from = static_cast<std::size_t>(first + kept * spacing);
+    scan.range_m[static_cast<std::size_t>(kept)] = scan.range_m[from];
+    scan.valid[static_cast<std::size_t>(kept)] = scan.valid[from];
+  }
+  scan.range_m.resize(static_cast<std::size_t>(count));
+  scan.valid.resize(static_cast<std::size_t>(count));
+  scan.segmentOfRay.resize(static_cast<std::size_t>(count));
+  scan.grid = BeamGrid(scan.grid.bearing_rad(first), spacing * scan.grid.increment_rad(), count);
+}
 }  // namespace
 
 void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedScan& result)
@@ -44,6 +84,7 @@ void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedS
   result.maxRange_m = scan.maxRange_m;
   result.stamp_s = scan.stamp_s;
   result.rangeNoise = {};
+  result.longestHole = 0;
   result.segments.clear();
   result.range_m.assign(rays, 0.0);
   result.valid.assign(rays, 0);
@@ -62,6 +103,7 @@ void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedS
     range_m[i] = within ? read_m[i] : 0;
   }
   if (scan.valid.size() == rays) dropFlagged(scan.valid, result);
+  dropSilentRays(result);
 }
 
 void medianFilter(int window, std::vector<double>& scratch, SegmentedScan& scan)

@@ -14,6 +14,9 @@ namespace psmks
  * A ray is valid if its range is finite, above `minRange_m`, below both the scan's and the option's
  * maximum range, between 0.1 mm and 1000 km, and not flagged invalid. A scan whose number of ranges
  * is not that of its grid has no valid ray.
+ *
+ * Where only every k-th ray returns, eight or more of them, the others are taken out: the grid of
+ * the result then has k times the increment, and its rays are numbered anew.
  *  @param[out] result invalid rays get range 0; segments and noise are left empty */
 void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedScan& result);
 

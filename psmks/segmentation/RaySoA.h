@@ -13,7 +13,7 @@ namespace psmks
  * Positions count the rays of an open scan from the first one. In a closed scan position 0 is the
  * ray that strongestBreak() finds, so that no wall is cut by the seam of the grid. Every column has
  * one block of places more than there are rays. They hold invalid rays, so that loops may read
- * whole blocks. */
+ * whole blocks. closeHoles() takes the rays out that a sparse scan has no return for. */
 struct RaySoA
 {
   /** Rays that a filter takes at once. Unit: rays. Definition: width of the vectors in the code,
@@ -28,9 +28,9 @@ struct RaySoA
   std::vector<double> inverseRange_1_m;           //!< 0 where invalid
   std::vector<LineInformation::Moments> moments;  //!< weighted by the noise; 0 where invalid
   std::vector<int> mark;                          //!< index of a ray's line, or kNoSegment
-  int rays = 0;
-  int start = 0;     //!< ray index of position 0
-  RangeNoise noise;  //!< of the ranges
+  std::vector<int> rayOf;                         //!< index on the grid
+  int rays = 0;                                   //!< positions
+  RangeNoise noise;                               //!< of the ranges
 
   /** Fills all columns but the moments, with position 0 at the first ray of the scan. The noise
    * becomes that of the scan, all marks kNoSegment. */
@@ -42,12 +42,12 @@ struct RaySoA
   /** Fills the moments from the other columns and the noise. */
   void computeMoments();
 
+  /** Takes invalid rays out: all of a run of at most `longest`, all but a block of a longer one.
+   * Follows startAt(), and the moments are computed after it. */
+  void closeHoles(int longest);
+
   /** Index on the grid of the ray at a position. */
-  int ray(int position) const
-  {
-    const int i = start + position;
-    return i < rays ? i : i - rays;
-  }
+  int ray(int position) const { return rayOf[static_cast<std::size_t>(position)]; }
 
   bool valid(int position) const { return range_m[static_cast<std::size_t>(position)] > 0; }
 
@@ -62,5 +62,9 @@ struct RaySoA
   {
     return BlockView(column.data() + position);
   }
+
+ private:
+  void move(std::size_t from, std::size_t to);
+  void endAt(std::size_t position);
 };
 }  // namespace psmks

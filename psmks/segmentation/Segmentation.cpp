@@ -235,13 +235,10 @@ class Finish
   /** Enters the index of a new segment for its rays in the scan. */
   void setSegmentOfRays(const LineRun& run, int mark, int segment)
   {
-    const int *marks = rays_.mark.data(), rays = rays_.rays;
+    const int *marks = rays_.mark.data(), *rayOf = rays_.rayOf.data();
     int* segmentOfRay = scan_.segmentOfRay.data();
-    for (int p = run.first, ray = rays_.ray(p); p <= run.last; ++p, ++ray)
-    {
-      if (ray == rays) ray = 0;
-      if (marks[p] == mark) segmentOfRay[ray] = segment;
-    }
+    for (int p = run.first; p <= run.last; ++p)
+      if (marks[p] == mark) segmentOfRay[rayOf[p]] = segment;
   }
 
   const LineGrowing& lines_;
@@ -249,6 +246,28 @@ class Finish
   RaySoA& rays_;
   SegmentedScan& scan_;
 };
+
+/** SegmentedScan::longestHole of a cleaned scan.
+ *  @param spacings storage */
+int longestHoleIn(const SegmentedScan& scan, std::vector<int>& spacings)
+{
+  /** Longest hole in a surface. Unit: usual distances between returns. Evidence: it is that of
+   * dense scans, LineGrowing. */
+  constexpr int kDistances = 3;
+  spacings.clear();
+  int beside = 0;
+  for (int ray = 0, before = -1; ray < scan.rays(); ++ray)
+  {
+    if (!scan.isValid(ray)) continue;
+    if (before >= 0) spacings.push_back(ray - before);
+    beside += ray - before == 1;
+    before = ray;
+  }
+  if (2 * static_cast<std::size_t>(beside) >= spacings.size()) return 0;
+  const auto median = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), median, spacings.end());
+  return kDistances * *median;
+}
 }  // namespace
 
 void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
@@ -266,6 +285,8 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
   if (scanner.isBelieved()) rays.noise = result.shownNoise;
   result.rangeNoise = rays.noise;
   if (result.grid.closed()) rays.startAt(result, strongestBreak(rays));
+  result.longestHole = longestHoleIn(result, buffers.spacings);
+  if (result.longestHole > 0) rays.closeHoles(result.longestHole);
   rays.computeMoments();
 
   LineGrowing lines(options, rays, buffers.runs);

@@ -14,6 +14,7 @@ namespace psmks
 struct SegmentationBuffers
 {
   std::vector<double> scratch;  //!< one number per ray, for medians
+  std::vector<int> spacings;    //!< distances between returns, in rays
   RaySoA rays;
   std::vector<LineRun> runs;
 };

@@ -35,6 +35,10 @@ struct SegmentedScan
   /** Whether `shownNoise` is more than the stated noise with that of rounding. */
   bool showsMoreNoise = false;
 
+  /** Where returns are sparse, the most invalid rays in a row that leave a surface whole: three
+   * times the usual distance between returns. 0 where most returns have a return beside them. */
+  int longestHole = 0;
+
   /** Range limit and stamp, as in Scan. */
   double maxRange_m = 0;
   double stamp_s = 0;
@@ -61,6 +65,17 @@ struct SegmentedScan
 
   /** Standard deviation of a range by `shownNoise`: root mean square over the valid rays. */
   double shownRangeSigma_m() const { return typicalSigma_m(shownNoise); }
+
+  /** The next ray to one side that has a return, across a hole of at most `longestHole` rays; where
+   *  there is none, the ray beside, or -1 outside the field of view.
+   *  @param step +1 or -1 */
+  int nextReturn(int ray, int step) const
+  {
+    int next = grid.neighbour(ray, step);
+    for (int hole = 1; hole <= longestHole && next >= 0 && !isValid(next); ++hole)
+      next = grid.neighbour(ray, step * (hole + 1));
+    return next >= 0 && isValid(next) ? next : grid.neighbour(ray, step);
+  }
 
   /** Measured end point of a valid ray, in the sensor frame. */
   Eigen::Vector2d point_m(int ray) const

@@ -26,7 +26,7 @@ struct Workbench
 
   int markOf(int ray) const
   {
-    const int position = (ray - rays.start + rays.rays) % rays.rays;
+    const int position = (ray - rays.ray(0) + rays.rays) % rays.rays;
     return rays.mark[static_cast<std::size_t>(position)];
   }
 

@@ -54,6 +54,48 @@ TEST(Preprocessing, FlaggedRaysAreInvalid)
   EXPECT_EQ(cleaned(scan).range_m[1], 0);
 }
 
+//  \ : | : /     only every second ray returns: it is a scan of half as many rays
+TEST(Preprocessing, RaysThatNeverReturnBetweenThoseThatDoAreTakenOut)
+{
+  const Scan scan = scanOf({0, 2, 0, 3, 0, 0, 0, 5, 0, 6, 0, 7, 0, 8, 0, 9, 0, 9.5, 0});
+  const SegmentedScan result = cleaned(scan);
+  EXPECT_EQ(result.range_m, (Ranges{2, 3, 0, 5, 6, 7, 8, 9, 9.5}));
+  EXPECT_EQ(result.valid, (Flags{1, 1, 0, 1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(result.segmentOfRay.size(), 9U);
+  ASSERT_EQ(result.rays(), 9);
+  for (int ray = 0; ray < 9; ++ray)
+    EXPECT_NEAR(result.grid.bearing_rad(ray), scan.grid.bearing_rad(2 * ray + 1), 1e-12) << ray;
+}
+
+TEST(Preprocessing, OneReturnBesideThemLeavesAllRaysInPlace)
+{
+  const std::vector<double> ranges{0, 2, 0, 3, 0, 4, 4.1, 5, 0, 6, 0, 7, 0, 8, 0, 9, 0};
+  EXPECT_EQ(cleaned(scanOf(ranges)).range_m, ranges);
+}
+
+// Seven returns may be so far apart by chance.
+TEST(Preprocessing, FewReturnsDoNotTellThatTheOthersNeverCome)
+{
+  const std::vector<double> seven{2, 0, 3, 0, 4, 0, 5, 0, 6, 0, 7, 0, 8, 0};
+  EXPECT_EQ(cleaned(scanOf(seven)).range_m, seven);
+}
+
+TEST(Preprocessing, AClosedScanStaysClosed)
+{
+  std::vector<double> everyThird;
+  for (int k = 0; k < 10; ++k)
+    for (const double range_m : {2.0, 0.0, 0.0}) everyThird.push_back(range_m);
+  Scan scan = scanOf(everyThird);
+  scan.grid = BeamGrid::centered(2 * kPi, 30);
+  const SegmentedScan thinned = cleaned(scan);
+  EXPECT_EQ(thinned.range_m, (Ranges(10, 2.0)));
+  EXPECT_TRUE(thinned.grid.closed());
+
+  scan.range_m.pop_back();
+  scan.grid = BeamGrid::centered(2 * kPi, 29);
+  EXPECT_EQ(cleaned(scan).rays(), 29) << "no multiple of 3: across the seam two are beside";
+}
+
 TEST(Preprocessing, TheOptionsNarrowTheRange)
 {
   PreprocessingOptions options;
