@@ -34,7 +34,7 @@ void CandidateSearch::keepIfBest(const RefinedPose& candidate)
     match_.trace->steps.push_back({"refinement", candidate.T_ref_cur, std::nullopt, candidate.score,
                                    candidate.associations, 0});
   match_.buffers.refinedPoses.push_back(candidate);
-  if (best_.score > 0 && candidate.logPosterior <= best_.logPosterior) return;
+  if (best_.score >= 0 && candidate.logPosterior <= best_.logPosterior) return;
   best_ = candidate;
 }
 
@@ -72,17 +72,26 @@ void CandidateSearch::searchWide()
 }
 
 /** Where wheels have slipped, the guess is no measurement of the motion: it is given up for a pose
- * that is beyond doubt without it. */
+ * that is beyond doubt without it. What was refined under one prior is not compared with what was
+ * refined under the other. */
 void CandidateSearch::searchDespiteGuess()
 {
   const RefinedPose nearGuess = best_;
   const int mostNearGuess = mostAssociations_;
+  std::vector<RefinedPose>& refined = match_.buffers.refinedPoses;
+  const auto nearPoses = static_cast<std::ptrdiff_t>(refined.size());
+  best_ = {};
   match_.result.guessGivenUp = true;
   search(wideWindow(), farStarts());
-  if (verifier_.isBeyondDoubt(best_)) return;
+  match_.result.guessGivenUp = verifier_.isBeyondDoubt(best_);
+  if (match_.result.guessGivenUp)
+  {
+    refined.erase(refined.begin(), refined.begin() + nearPoses);
+    return;
+  }
+  refined.erase(refined.begin() + nearPoses, refined.end());
   best_ = nearGuess;
   mostAssociations_ = mostNearGuess;
-  match_.result.guessGivenUp = false;
 }
 
 void CandidateSearch::search(const SearchWindow& window, std::size_t mostStarts)

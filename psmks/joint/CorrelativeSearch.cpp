@@ -100,8 +100,8 @@ void CorrelativeSearch::prepareHeadings(const Pose2& guess_T_ref_cur, const Sear
   turn_rad_ =
       std::clamp(2 * grid_.cell_m() / static_cast<double>(*median), kLeastTurn_rad, kMostTurn_rad);
   guess_T_ref_cur_ = guess_T_ref_cur;
-  headings_ = static_cast<int>(window.angle_rad / turn_rad_);
-  moves_ = static_cast<int>(window.radius_m / grid_.cell_m());
+  headings_ = static_cast<int>(std::ceil(window.angle_rad / turn_rad_));
+  moves_ = static_cast<int>(std::ceil(window.radius_m / grid_.cell_m()));
 
   const std::size_t headings = 2 * static_cast<std::size_t>(headings_) + 1;
   cells_.resize(headings * rays_.size());

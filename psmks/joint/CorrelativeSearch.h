@@ -13,8 +13,9 @@ namespace psmks
  * angle about a guess. */
 struct SearchWindow
 {
-  double radius_m;   //!< greatest displacement from the guess along either axis of the reference
-  double angle_rad;  //!< greatest rotation to either side
+  double radius_m;   //!< greatest displacement from the guess along either axis of the reference,
+                     //!< rounded up to whole cells
+  double angle_rad;  //!< greatest rotation to either side, rounded up to whole steps
 };
 
 /** Finds the poses of a window that explain the rays of the current scan best, by correlation with

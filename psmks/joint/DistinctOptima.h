@@ -14,6 +14,6 @@ namespace psmks
 bool isSameOptimum(const Pose2& a, const Pose2& b, const Eigen::Vector2d& openDirection);
 
 /** Of refined poses, several of which may have ended at the same optimum, keeps one for each
- * optimum, the one with the best score; ordered by falling score. */
+ * optimum, the likeliest one; ordered by falling RefinedPose::logPosterior. */
 void keepDistinctOptima(std::vector<RefinedPose>& poses, const Eigen::Vector2d& openDirection);
 }  // namespace psmks

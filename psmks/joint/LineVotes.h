@@ -33,7 +33,8 @@ struct VotedAngle
 class LineVotes
 {
  public:
-  /** Appends the hypotheses within the limits about the guess, those with most votes first. */
+  /** Appends the hypotheses within the limits about the guess, heading by heading, those with most
+   * votes first. */
   void propose(const ScanFeatures& reference, const ScanFeatures& current,
                const Pose2& guess_T_ref_cur, const VoteLimits& limits,
                std::vector<Hypothesis>& hypotheses);

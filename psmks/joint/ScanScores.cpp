@@ -37,16 +37,6 @@ double ScanScores::roughScore(const Pose2& T_ref_cur) const
       countRays(current_.points, reference_.surface, T_ref_cur, kRoughTolerance_m, kStride));
 }
 
-double ScanScores::scoreWithin(const Pose2& T_ref_cur, double tolerance_m) const
-{
-  /** Rays of a scan that the score of a grid point counts, about. Unit: rays. Evidence: none of its
-   * own; it was chosen with the scheme as a whole. */
-  constexpr std::size_t kFewRays = 60;
-  return freeSpaceScore(countRays(current_.points, reference_.surface, T_ref_cur,
-                                  static_cast<float>(tolerance_m),
-                                  strideOf(current_.points, kFewRays)));
-}
-
 RayCounts ScanScores::allCounts(const Pose2& T_ref_cur) const
 {
   RayCounts counts = countRays(current_.points, reference_.surface, T_ref_cur, tolerance_m_,

@@ -19,10 +19,6 @@ class ScanScores
    * the current scan against the surfaces of the reference, with a tolerance of 15 cm. */
   double roughScore(const Pose2& T_ref_cur) const;
 
-  /** Free-space score, 0 to 1, of some 60 rays of the current scan against the surfaces of the
-   * reference, within a tolerance that the caller chooses. */
-  double scoreWithin(const Pose2& T_ref_cur, double tolerance_m) const;
-
   /** Counts how the rays of either scan lie to the surfaces of the other, within the tolerance of
    * their noise. Of a scan with many rays every second, third, ... is counted, so that some 180
    * remain. */

@@ -54,7 +54,7 @@ struct ReferenceOptions
   double linkSigma_rad = degToRad(0.1);  //!< added to each link, see linkCovariance()
   bool retryLastScan = true;   //!< after a failure, match against the scan before, and if that
                                //!< fails, too, with a wide prior; false: neither of them
-  double retryScore = 0.85;    //!< a lower MatchResult::score also calls for the scan before
+  double retryScore = 0.9;     //!< a lower MatchResult::score also calls for the scan before
   double mapRetryScore = 0.7;  //!< the same with a map, where it makes one more keyframe
   int maxFailures = 5;         //!< in a row, then the reference is given up
 };

@@ -60,10 +60,10 @@ class SenaLog : public testing::TestWithParam<SenaFigures>
 };
 
 INSTANTIATE_TEST_SUITE_P(Golden, SenaLog,
-                         testing::Values(SenaFigures{"Map", ReferenceChoice::Map, 7948},
-                                         SenaFigures{"Keyframe", ReferenceChoice::Keyframe, 8977},
+                         testing::Values(SenaFigures{"Map", ReferenceChoice::Map, 8019},
+                                         SenaFigures{"Keyframe", ReferenceChoice::Keyframe, 8477},
                                          SenaFigures{"Sequential", ReferenceChoice::Sequential,
-                                                     9222}),
+                                                     10224}),
                          [](const auto& figures) -> std::string { return figures.param.name; });
 }  // namespace
 

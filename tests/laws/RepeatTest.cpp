@@ -1,22 +1,34 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <tests/laws/Schemes.h>
 
+#include <algorithm>
+#include <optional>
 #include <thread>
 
 namespace psmks
 {
 namespace
 {
+bool isIdentical(const std::optional<Ambiguity>& a, const std::optional<Ambiguity>& b)
+{
+  if (!a || !b) return !a && !b;
+  return a->alternatives == b->alternatives &&
+         std::equal(a->likeliest.begin(), a->likeliest.end(), b->likeliest.begin(),
+                    [](const Ambiguity::Alternative& x, const Ambiguity::Alternative& y)
+                    { return x.weight == y.weight && isNearly(x.T_ref_cur, y.T_ref_cur, 0, 0); });
+}
+
 /** Whether two results are equal to the last bit, except for their times. */
 testing::AssertionResult isIdentical(const MatchResult& a, const MatchResult& b)
 {
-  const bool same =
-      a.status == b.status && a.T_ref_cur.x_m == b.T_ref_cur.x_m &&
-      a.T_ref_cur.y_m == b.T_ref_cur.y_m && a.T_ref_cur.phi_rad == b.T_ref_cur.phi_rad &&
-      a.covariance == b.covariance && a.score == b.score && a.errorBefore == b.errorBefore &&
-      a.errorAfter == b.errorAfter && a.associations == b.associations &&
-      a.iterations == b.iterations && a.hypotheses == b.hypotheses &&
-      a.unobservableDirection == b.unobservableDirection && a.weakDirection == b.weakDirection;
+  const bool same = a.status == b.status && a.T_ref_cur.x_m == b.T_ref_cur.x_m &&
+                    a.T_ref_cur.y_m == b.T_ref_cur.y_m &&
+                    a.T_ref_cur.phi_rad == b.T_ref_cur.phi_rad && a.covariance == b.covariance &&
+                    a.score == b.score && a.errorBefore == b.errorBefore &&
+                    a.errorAfter == b.errorAfter && a.associations == b.associations &&
+                    a.iterations == b.iterations && a.hypotheses == b.hypotheses &&
+                    a.unobservableDirection == b.unobservableDirection &&
+                    a.weakDirection == b.weakDirection && isIdentical(a.ambiguity, b.ambiguity);
   if (same) return testing::AssertionSuccess();
   return testing::AssertionFailure() << a.report() << "\nis not " << b.report();
 }

@@ -152,14 +152,6 @@ TEST_F(ScanScoresOfAWall, RoughlyAStartTenCentimetresOffIsAsGoodAsTheTruth)
   EXPECT_EQ(scene_.scores().roughScore({0.5, 0, 0}), 0);
 }
 
-TEST_F(ScanScoresOfAWall, AToleranceIsKept)
-{
-  EXPECT_EQ(scene_.scores().scoreWithin(nearer_, 0.11), 1);
-  EXPECT_EQ(scene_.scores().scoreWithin(nearer_, 0.09), 0);
-  EXPECT_EQ(scene_.scores().scoreWithin(farther_, 0.11), 1);
-  EXPECT_EQ(scene_.scores().scoreWithin(farther_, 0.09), 0);
-}
-
 // Three sigma is what a wall's rays keep from it: 10 cm are within reach of a sigma of 5 cm.
 TEST_F(ScanScoresOfAWall, RaysOfANoisyScannerMayBeFartherFromTheWall)
 {
