@@ -14,8 +14,8 @@ void RayPoints::build(const SegmentedScan& scan, const std::vector<std::uint8_t>
   const double *range_m = scan.range_m.data(), *cosines = scan.grid.cosines(),
                *sines = scan.grid.sines();
   float *x = x_m.data(), *y = y_m.data(), *look = looks.data();
-  const auto looksPerMetre = static_cast<float>(scan.grid.increment_rad()) / kLook_m *
-                             static_cast<float>(std::max(1, scan.longestHole / 3));
+  const auto looksPerMetre =
+      static_cast<float>(scan.grid.increment_rad() * scan.returnSpacing) / kLook_m;
   for (std::size_t i = 0; i < rays; ++i)
   {
     x[i] = static_cast<float>(range_m[i] * cosines[i]);

@@ -15,7 +15,7 @@ struct RayPoints
   std::vector<std::uint8_t> movable;  //!< one flag per point, see findMovableObjects()
 
   /** Independent looks that each point stands for, at most 1: the length of the surface between two
-   * rays at its range, kLook_m being one look. Two rays on one object see the same thing: of a
+   * returns at its range, kLook_m being one look. Two rays on one object see the same thing: of a
    * person close by they are many, and say no more than the few on one far away. */
   std::vector<float> looks;
 

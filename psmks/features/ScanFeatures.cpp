@@ -31,7 +31,7 @@ void ScanFeatures::build(const SegmentedScan& segmented)
 void ScanFeatures::closeHoles()
 {
   hasSurface = scan->valid;
-  if (scan->longestHole == 0) return;
+  if (scan->longestHole() == 0) return;
   for (int ray = 0; ray < scan->rays(); ++ray)
   {
     const int line = scan->segmentOfRay[static_cast<std::size_t>(ray)];

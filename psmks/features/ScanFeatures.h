@@ -34,7 +34,7 @@ struct ScanFeatures
   std::vector<int> lineOfRay;
 
   /** One flag per ray: whether it has a return, or is in a hole of a segment
-   * (SegmentedScan::longestHole). */
+   * (SegmentedScan::longestHole()). */
   std::vector<std::uint8_t> hasSurface;
 
   /** One flag per ray, see findMovableObjects(). */

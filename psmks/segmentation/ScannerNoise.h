@@ -20,7 +20,7 @@ class ScannerNoise
   bool isBelieved() const
   {
     /** Share of its scans in which a noisy scanner shows its noise, at least. Unit: share.
-     * Evidence: open. */
+     * Evidence: measured. */
     constexpr double kNearlyAll = 0.75;
     return static_cast<double>(noisy_) >= kNearlyAll * static_cast<double>(scans_);
   }

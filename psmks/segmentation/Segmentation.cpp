@@ -20,15 +20,15 @@ namespace
 constexpr int kEkfStartRays = 9;
 
 /** Distance of a line from the scanner below which it is no segment, in standard deviations of a
- * range. Unit: standard deviations. Evidence: open. */
+ * range. Unit: standard deviations. Evidence: measured. */
 constexpr double kLeastDistance = 5;
 
 /** A covariance is widened where chi2 per degree of freedom exceeds 1 by so many of its standard
- * deviations. Unit: standard deviations. Evidence: open. */
+ * deviations. Unit: standard deviations. Evidence: measured. */
 constexpr double kSignificance = 3;
 
 /** A line is examined for a cut where the correlation of its neighbouring residuals exceeds so many
- * standard deviations. Unit: standard deviations. Evidence: open. */
+ * standard deviations. Unit: standard deviations. Evidence: measured. */
 constexpr double kNotWhite = 2.5;
 
 /** Range noise from the header of the scan, else from the options. */
@@ -247,15 +247,12 @@ class Finish
   SegmentedScan& scan_;
 };
 
-/** SegmentedScan::longestHole of a cleaned scan.
+/** SegmentedScan::returnSpacing of a cleaned scan.
  *  @param spacings storage */
-int longestHoleIn(const SegmentedScan& scan, std::vector<int>& spacings)
+int usualSpacing(const SegmentedScan& scan, std::vector<int>& spacings)
 {
-  /** Longest hole in a surface. Unit: usual distances between returns. Evidence: it is that of
-   * dense scans, LineGrowing. */
-  constexpr int kDistances = 3;
   spacings.clear();
-  int beside = 0;
+  std::size_t beside = 0;
   for (int ray = 0, before = -1; ray < scan.rays(); ++ray)
   {
     if (!scan.isValid(ray)) continue;
@@ -263,10 +260,10 @@ int longestHoleIn(const SegmentedScan& scan, std::vector<int>& spacings)
     beside += ray - before == 1;
     before = ray;
   }
-  if (2 * static_cast<std::size_t>(beside) >= spacings.size()) return 0;
+  if (2 * beside >= spacings.size()) return 1;
   const auto median = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
   std::nth_element(spacings.begin(), median, spacings.end());
-  return kDistances * *median;
+  return *median;
 }
 }  // namespace
 
@@ -285,8 +282,8 @@ void segmentScan(const Scan& scan, const PreprocessingOptions& preprocessing,
   if (scanner.isBelieved()) rays.noise = result.shownNoise;
   result.rangeNoise = rays.noise;
   if (result.grid.closed()) rays.startAt(result, strongestBreak(rays));
-  result.longestHole = longestHoleIn(result, buffers.spacings);
-  if (result.longestHole > 0) rays.closeHoles(result.longestHole);
+  result.returnSpacing = usualSpacing(result, buffers.spacings);
+  if (result.longestHole() > 0) rays.closeHoles(result.longestHole());
   rays.computeMoments();
 
   LineGrowing lines(options, rays, buffers.runs);

