@@ -92,7 +92,8 @@ SimulatedScan castScan(const Surroundings& surroundings, const SensorMotion& T_w
     const Pose2 pose = T_world_sensor(sinceFirst_s);
     const Beam beam{surroundings, pose.translation(), pose.rotation() * laser.grid.direction(ray),
                     time_s + sinceFirst_s, laser.maxRange_m};
-    const Reading reading = read(beam, laser, unitNoise, random);
+    Reading reading = read(beam, laser, unitNoise, random);
+    if (ray % laser.returnEvery != 0) reading = {};
     simulated.scan.range_m.push_back(reading.range_m);
     simulated.noise_m.push_back(reading.noise_m);
     simulated.objectOfRay.push_back(reading.object);

@@ -21,6 +21,7 @@ struct LaserOptions
   double rangeSigmaPerMetre_m = 0;  //!< growth of the noise, see RangeNoise
   double quantum_m = 0;             //!< ranges are multiples of it; 0 = exact
   double dropOutShare = 0;          //!< share of the returns that are lost, 0 to 1
+  int returnEvery = 1;              //!< only every so many-th ray returns; 1 = all of them
   double beamDivergence_rad = 0;    //!< full width of a beam, which returns the mean range of all
                                     //!< that it meets, at edges a mixed pixel; 0 = thin
   double sweepDuration_s = 0;       //!< from first to last ray, which all have their own pose

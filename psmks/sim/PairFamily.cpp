@@ -115,6 +115,17 @@ void addHarder(std::vector<PairFamily>& families)
       office("quantised", "ranges rounded to 5 cm", flawed(&LaserOptions::quantum_m, 0.05)));
   families.push_back(
       office("dropouts", "10 % of the returns lost", flawed(&LaserOptions::dropOutShare, 0.10)));
+  for (const int percent : {50, 60, 70})
+    families.push_back(office("dropouts" + std::to_string(percent),
+                              std::to_string(percent) + " % of the returns lost",
+                              flawed(&LaserOptions::dropOutShare, percent / 100.0)));
+  for (const int k : {2, 3, 4})
+  {
+    LaserOptions sparse = lms();
+    sparse.returnEvery = k;
+    families.push_back(office("every" + std::to_string(k),
+                              "only one of " + std::to_string(k) + " rays returns", sparse));
+  }
   families.push_back(office("mixed", "beams of 0.5 degrees: mixed pixels at edges",
                             flawed(&LaserOptions::beamDivergence_rad, kBeam_rad)));
   families.push_back(office("fov90", "181 rays over 90 degrees", scanner(90, 181, 30)));

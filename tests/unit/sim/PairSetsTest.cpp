@@ -159,6 +159,8 @@ TEST(PairSets, FlawsShowInTheScans)
   const auto isLost = [](const SimulatedScan& scan, std::size_t ray)
   { return scan.scan.range_m[ray] == 0; };
   EXPECT_NEAR(meanShare(setOf("dropouts"), isLost), 0.10, 0.02);
+  EXPECT_NEAR(meanShare(setOf("dropouts60"), isLost), 0.60, 0.02);
+  EXPECT_NEAR(meanShare(setOf("every3"), isLost), 2 / 3.0, 0.01);
 
   const auto isRounded = [](const SimulatedScan& scan, std::size_t ray)
   { return std::abs(std::remainder(scan.scan.range_m[ray], 0.05)) < 1e-9; };
