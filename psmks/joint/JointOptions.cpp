@@ -46,8 +46,10 @@ void listFields(OptionTable& table, JointOptions& o)
   table.add("solver", o.solver, {"gauss-newton", "ceres"}, "who solves the joint step");
   table.add("min_associations", o.minAssociations, 1, 100000,
             "fewer associated rays fail the match");
-  table.add("accept_score", o.acceptScore, Unit::None, 0, 1,
-            "a pose with a lower free-space score is refused");
+  table.add(
+      "accept_score", o.acceptScore, Unit::None, 0, 1,
+      "a pose with a lower free-space score is refused; half of it is enough where a measured "
+      "guess agrees with the pose, 0.15 more is needed where it contradicts it");
   table.add("weak_direction_sigma_m", o.weakDirectionSigma_m, Unit::Metre, 1e-4, 10,
             "a direction in which the scans fix the position worse is weakly observable; at least "
             "1.5 times the standard deviation of a range");

@@ -37,7 +37,7 @@ struct JointOptions
   JointSolver solver = JointSolver::GaussNewton;
   // Acceptance
   int minAssociations = 10;             //!< fewer associated rays fail
-  double acceptScore = 0.4;             //!< a lower free-space score fails
+  double acceptScore = 0.4;             //!< a lower free-space score fails; PoseVerifier.h
   double weakDirectionSigma_m = 0.015;  //!< a direction known worse is flagged as weak
   double unobservableSigma_m = 0.05;    //!< along a direction known worse, the guess is kept
   double weakHeadingSigma_rad = degToRad(1.0);

@@ -29,8 +29,9 @@ class PoseVerifier
    * of the rays associated, and lines hold the pose. */
   bool isBeyondDoubt(const RefinedPose& pose) const;
 
-  /** Whether a match with this pose is accepted: its score reaches JointOptions::acceptScore, or
-   *  0.15 more where it contradicts the guess. */
+  /** Whether a match with this pose is accepted: its score reaches JointOptions::acceptScore; half
+   *  of that where it agrees with a measured guess, which is a second witness, and 0.15 more where
+   *  it contradicts one. */
   bool isAcceptable(const RefinedPose& pose) const;
 
   /** Whether at least half of the rays that lie on surfaces of the other scan are associated. A

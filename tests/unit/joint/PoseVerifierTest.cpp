@@ -212,12 +212,16 @@ struct VerdictAwayFromGuess
     convincesWithLess = verifier.isConvincing(withScore(pose, o.agreedScore));
     convincesWithLessYet = verifier.isConvincing(withScore(pose, o.agreedScore - kALittle));
     convinces = verifier.isConvincing(withScore(pose, o.confidentScore));
+    isAcceptedAtHalf = verifier.isAcceptable(withScore(pose, o.acceptScore / 2));
+    isAcceptedBelowHalf = verifier.isAcceptable(withScore(pose, o.acceptScore / 2 - kALittle));
+    isAcceptedBelowLimit = verifier.isAcceptable(withScore(pose, o.acceptScore - kALittle));
     isAcceptedAtTheLimit = verifier.isAcceptable(withScore(pose, o.acceptScore));
     isAcceptedWithMore = verifier.isAcceptable(withScore(pose, o.acceptScore + 0.15));
     isAccepted = verifier.isAcceptable(withScore(pose, o.acceptScore + 0.15 - kALittle));
   }
 
   bool convinces, convincesWithLess, convincesWithLessYet;
+  bool isAcceptedAtHalf, isAcceptedBelowHalf, isAcceptedBelowLimit;
   bool isAcceptedAtTheLimit, isAccepted, isAcceptedWithMore;
 };
 
@@ -225,6 +229,22 @@ struct VerdictAwayFromGuess
  * pose is pulled by as much. */
 constexpr double kInside = 0.99, kOutside = 1.01;  // of a limit
 }  // namespace
+
+// The 95 % ellipsoid reaches to 2.8 standard deviations. Within it half of the accepted score is
+// enough; where the guess neither agrees nor contradicts, all of it is needed.
+TEST(PoseVerifierWithGuess, APoseThatAgreesWithTheGuessIsAcceptedWithHalfTheScore)
+{
+  const double limit = std::sqrt(kChi2At95With3Dof);
+  for (const int coordinate : {0, 1, 2})
+  {
+    const VerdictAwayFromGuess inside(kInside * limit, coordinate);
+    EXPECT_TRUE(inside.isAcceptedAtHalf) << coordinate;
+    EXPECT_FALSE(inside.isAcceptedBelowHalf) << coordinate;
+    const VerdictAwayFromGuess outside(kOutside * limit, coordinate);
+    EXPECT_FALSE(outside.isAcceptedBelowLimit) << coordinate;
+    EXPECT_TRUE(outside.isAcceptedAtTheLimit) << coordinate;
+  }
+}
 
 // The 95 % ellipsoid reaches to 2.8 standard deviations. Within, the guess is a second witness.
 TEST(PoseVerifierWithGuess, APoseThatAgreesWithTheGuessConvincesWithLess)
