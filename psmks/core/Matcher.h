@@ -44,8 +44,8 @@ class MatcherWorkspace
  *
  * The joint scheme, matchByJointScheme() in joint/JointScheme.cpp:
  *
- * 2. ScanFeatures::build() in features/ adds circles, short lines, surfels, movable objects, and
- *    the surface that is seen at every bearing.
+ * 2. ScanFeatures::build() in features/ adds circles, short lines, surfels, depth edges, movable
+ *    objects, and the surface that is seen at every bearing.
  * 3. Refinement::refine() in joint/ leads a start to a pose, first the guess if it scores well:
  *    associateFeatures() and solveByGaussNewton() take turns; logLikelihoodRatio() judges the end.
  * 4. Unless the pose convinces PoseVerifier in joint/, CandidateSearch there refines the poses that

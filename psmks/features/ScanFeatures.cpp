@@ -13,6 +13,7 @@ void ScanFeatures::build(const SegmentedScan& segmented)
   findMovableObjects(segmented, movable);
   points.build(segmented, movable);
   lines.clear();
+  findDepthEdges(segmented, edges);
   findCircles(segmented, circles, circleOfRay);
   findShortLines(segmented, circleOfRay, lineFeatures);
   lineFeatures.insert(lineFeatures.begin(), segmented.segments.begin(), segmented.segments.end());

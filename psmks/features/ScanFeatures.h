@@ -2,6 +2,7 @@
 #pragma once
 
 #include <psmks/features/Circles.h>
+#include <psmks/features/DepthEdges.h>
 #include <psmks/features/PolarLookup.h>
 #include <psmks/features/RayPoints.h>
 #include <psmks/geometry/AnchoredLine.h>
@@ -45,6 +46,9 @@ struct ScanFeatures
 
   /** Index into `circles` for each ray, or -1. */
   std::vector<int> circleOfRay;
+
+  /** The ends of objects, see findDepthEdges(). */
+  std::vector<DepthEdge> edges;
 
   /** Indices of the valid rays without a segment. */
   std::vector<int> unsegmentedRays;

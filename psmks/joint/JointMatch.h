@@ -84,10 +84,10 @@ struct JointMatch
     return std::max(options.unobservableSigma_m, weakDirectionSigma_m());
   }
 
-  /** Whether a pose associates more than this share of the current scan's rays. */
+  /** Whether a pose associates more than this share of the current scan's valid rays. */
   bool pairsMoreThan(double share, const RefinedPose& pose) const
   {
-    return pose.associations > share * buffers.current.scan->rays();
+    return pose.associations > share * buffers.current.scan->validRays();
   }
 
  private:

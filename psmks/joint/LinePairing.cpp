@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/features/CirclePairing.h>
+#include <psmks/features/EdgePairing.h>
 #include <psmks/joint/LinePairing.h>
 
 #include <Eigen/LU>
@@ -55,6 +56,7 @@ class Pairing
                              problem_.circlePairs);
       associations_ += circles_.rays;
     }
+    pairEdges(ref_.edges, cur_.edges, T_ref_cur_, gates_.edgeDistance_m, problem_.rays);
     pairUnsegmentedRays(cur_, ref_, T_ref_cur_, true);
     pairUnsegmentedRays(ref_, cur_, T_ref_cur_.inverse(), false);
     return associations_;

@@ -15,6 +15,8 @@ struct PairingGates
   double singleRayWeight;            //!< of unsegmented rays, 0 to 1
   double unsegmentedRaySlack_m = 0;  //!< standard deviation added to the distances of single rays
 
+  double edgeDistance_m = 0;  //!< greatest distance between depth edges; 0: none are paired
+
   /** Whether short lines and circles are paired too. The rays of every short line, paired or not,
    *  and of every paired circle are then no single rays. */
   bool pairShortLinesAndCircles = false;
@@ -29,6 +31,8 @@ struct PairingGates
  *  Where PairingGates::pairShortLinesAndCircles is set, short lines are paired in the same way, and
  *  segments that are part of an arc are not. Circles are paired by pairCircles(): each is the
  *  nearest one to the other, and their radii agree.
+ *
+ *  Depth edges are paired by pairEdges(), within PairingGates::edgeDistance_m.
  *
  *  Single rays of either scan go with the segment or surfel of the other scan at their bearing, and
  *  of two at a boundary with the nearer one.
