@@ -3,9 +3,10 @@
 
 namespace psmks
 {
-void listFields(OptionTable& table, JointOptions& o)
+namespace
 {
-  table.beginSection("joint", "The joint scheme: hypotheses, refinement and acceptance.");
+void listSearch(OptionTable& table, JointOptions& o)
+{
   table.add("search_radius_m", o.searchRadius_m, Unit::Metre, 0.01, 10,
             "displacement from the guess that is searched");
   table.add("search_angle_deg", o.searchAngle_rad, Unit::Degree, degToRad(1), degToRad(180),
@@ -26,6 +27,10 @@ void listFields(OptionTable& table, JointOptions& o)
   table.add("agreed_score", o.agreedScore, Unit::None, 0, 1,
             "the same for a pose that agrees with a guess that has a covariance, by the 95 % "
             "ellipsoid of their difference");
+}
+
+void listRefinement(OptionTable& table, JointOptions& o)
+{
   table.add(
       "distance_gate_m", o.distanceGate_m, Unit::Metre, 1e-3, 10,
       "lines farther apart are not associated, first association; halved at each further one, "
@@ -44,6 +49,10 @@ void listFields(OptionTable& table, JointOptions& o)
   table.add("stop_rotation_deg", o.stopRotation_rad, Unit::Degree, 0, degToRad(45),
             "see stop_translation_m");
   table.add("solver", o.solver, {"gauss-newton", "ceres"}, "who solves the joint step");
+}
+
+void listAcceptance(OptionTable& table, JointOptions& o)
+{
   table.add("min_associations", o.minAssociations, 1, 100000,
             "fewer associated rays fail the match");
   table.add(
@@ -58,5 +67,14 @@ void listFields(OptionTable& table, JointOptions& o)
             "pose is the guess; at least weak_direction_sigma_m");
   table.add("weak_heading_sigma_deg", o.weakHeadingSigma_rad, Unit::Degree, degToRad(1e-3),
             degToRad(180), "a heading that the scans fix worse is not observable");
+}
+}  // namespace
+
+void listFields(OptionTable& table, JointOptions& options)
+{
+  table.beginSection("joint", "The joint scheme: hypotheses, refinement and acceptance.");
+  listSearch(table, options);
+  listRefinement(table, options);
+  listAcceptance(table, options);
 }
 }  // namespace psmks

@@ -126,7 +126,7 @@ class Pairing
     const double refDistance_m = ref_.lineFeatures[r].line.r0_m;
     for (const double at : {shared.first, shared.last})
     {
-      const int ray = static_cast<int>(at + 0.5) % ref_.scan->rays();
+      const int ray = static_cast<int>(std::lround(at)) % ref_.scan->rays();
       const Eigen::Vector2d direction = ref_.scan->grid.direction(ray);
       const double curCosine = normal.dot(direction);
       if (!(curCosine > 0)) return;
@@ -202,7 +202,7 @@ class Pairing
     if (k < 0) return -1;
     const PolarLookup::Side* sides = features.surface.sides(k);
     int nearest = -1;
-    float best_m = static_cast<float>(gates_.distance_m);
+    auto best_m = static_cast<float>(gates_.distance_m);
     for (int side = 0; side < 2; ++side)
     {
       const float d_m = std::fabs(sides[side].distance_m(x, y));
