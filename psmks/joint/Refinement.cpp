@@ -42,17 +42,10 @@ RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
   constexpr double kLastShare = 0.25;
 
   /** Motion below which a pose has settled. Unit: share of the gates. Evidence: measured. */
-  constexpr double kSettled = 0.1;
-
-  /** Share of the rays from which on an association pairs most. Unit: share of the valid rays. Evidence:
-   * a repeat wherever the pose moves far gives a mean error of 1.2 m with 30 cm of noise and finds
-   * 98.2 % of the successive scans of the MIT CSAIL log (`csail`) without a guess; this share gives
-   * 0.8 m and 98.2 %; no repeat gives 0.5 m and 97.9 %; other shares were not tried; docs/tried.md.
-   */
-  constexpr double kMost = 0.5;
+  constexpr double kSettled = 0.05;
 
   /** Most repeats of the last association. Unit: repeats. Evidence: measured. */
-  constexpr int kMostRepeats = 2;
+  constexpr int kMostRepeats = 6;
   const int rounds = match_.options.reassociations;
   RefinedPose pose;
   pose.T_ref_cur = start;
@@ -61,13 +54,13 @@ RefinedPose Refinement::alternate(const Pose2& start, double firstShare)
     const double share = std::ldexp(firstShare, -round);
     const Pose2 motion = associate(share, false, pose);
     if (hasTooFew(pose)) return pose;
-    if (match_.pairsMoreThan(kMost, pose) && isWithin(motion, share * kSettled)) break;
+    if (isWithin(motion, share * kSettled)) break;
   }
   const double lastShare = rounds > 1 ? kLastShare : firstShare;
   for (int repeat = 0; repeat <= kMostRepeats; ++repeat)
   {
     const Pose2 motion = associate(lastShare, true, pose);
-    if (!match_.pairsMoreThan(kMost, pose) || isWithin(motion, lastShare * kSettled)) break;
+    if (hasTooFew(pose) || isWithin(motion, lastShare * kSettled)) break;
   }
   return pose;
 }

@@ -20,10 +20,10 @@ class Refinement
    *  with the associations held fixed. Of n = JointOptions::reassociations rounds
    *
    *  - the first n - 1 use the gates of the options, 1/2 and 1/4 of them, ..., and end early once
-   *    most rays are associated and the pose has settled;
+   *    the pose has settled;
    *  - the last uses a quarter of the gates whatever came before (all of them where n is 1), pairs
    *    short lines and circles too, and depth edges within the gate of the options, and is repeated
-   *    at most twice, while it associates most rays and still moves the pose.
+   *    until the pose has settled, at most six times.
    *
    *  The gate of distances is never narrower than the range noise demands. The prior is the guess
    *  where it is used as a measurement, else the start of the round with 0.3 m and 20 degrees,

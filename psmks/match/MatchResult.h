@@ -36,10 +36,10 @@ enum class MatchStatus
   TooFewAssociations,
 
   /** Joint scheme: no pose that was tried reached JointOptions::acceptScore (ini:
-   *  `joint.accept_score`), half of it where it agrees with a measured
-   *  guess, or 0.15 more where it contradicts the guess. Paper's scheme: the
-   *  matching error did not fall below that of the guess, or the residuals not to
-   *  PaperOptions::maxResidual_m (ini: `paper.max_residual_m`). Failure. */
+   *  `joint.accept_score`), half of it where it agrees with a measured guess, or 0.15 more
+   *  where it contradicts the guess. Paper's scheme: the matching error did not fall below that of
+   *  the guess, or the residuals not to PaperOptions::maxResidual_m (ini: `paper.max_residual_m`).
+   *  Failure. */
   NoImprovement,
 
   /** As Converged or MaxIterations, but the scans leave something open. At least one of

@@ -3,14 +3,6 @@
 
 namespace psmks
 {
-namespace
-{
-Eigen::Matrix3d diagonalCovariance(double sigma_m, double sigma_rad)
-{
-  return Eigen::Vector3d(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad).asDiagonal();
-}
-}  // namespace
-
 void listFields(OptionTable& table, OdometryOptions& o)
 {
   table.beginSection("odometry", "How far the odometry between two scans is trusted.");
@@ -27,9 +19,20 @@ void listFields(OptionTable& table, OdometryOptions& o)
   table.add("sigma_per_turn_deg", o.sigmaPerTurn_rad, Unit::Degree, 0, degToRad(360),
             "heading: added for every 360 degrees turned");
   table.add("unknown_sigma_m", o.unknownSigma_m, Unit::Metre, 1e-3, 100,
-            "position, where a scan comes without odometry and the last motion is taken again");
+            "position, where a scan comes without odometry and nothing tells the speed");
   table.add("unknown_sigma_deg", o.unknownSigma_rad, Unit::Degree, degToRad(1e-2), degToRad(180),
             "the same for the heading");
+  table.add("acceleration_sigma_m_s2", o.accelerationSigma_m_s2, Unit::None, 0, 1000,
+            "without odometry the last motion goes on; its standard deviation is min_sigma_m and "
+            "this times the time since the speed was measured, times the duration of the motion, "
+            "and at most unknown_sigma_m");
+  table.add("acceleration_sigma_deg_s2", o.accelerationSigma_rad_s2, Unit::Degree, 0, degToRad(1e5),
+            "the same for the heading");
+}
+
+Eigen::Matrix3d diagonalCovariance(double sigma_m, double sigma_rad)
+{
+  return Eigen::Vector3d(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad).asDiagonal();
 }
 
 Eigen::Matrix3d odometryCovariance(const Pose2& motion, const OdometryOptions& o)

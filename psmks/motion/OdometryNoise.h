@@ -21,17 +21,21 @@ struct OdometryOptions
   double sigmaPerTurn_rad = degToRad(72);   //!< of the heading, added for each turn
   double unknownSigma_m = 0.30;             //!< of a motion that was not measured
   double unknownSigma_rad = degToRad(15);   //!< of a motion that was not measured
+  double accelerationSigma_m_s2 = 2.0;      //!< of a robot that goes on at the same speed
+  double accelerationSigma_rad_s2 = degToRad(250);  //!< of a robot that turns at the same rate
 };
 
 /** Adds the section `[odometry]` with every field of the options. */
 void listFields(OptionTable& table, OdometryOptions& options);
+
+/** Covariance of (x, y, phi) of independent errors, in m^2 and rad^2. */
+Eigen::Matrix3d diagonalCovariance(double sigma_m, double sigma_rad);
 
 /** Covariance of (x, y, phi) of a motion that was measured, in the axes of its start, in m^2 and
  * rad^2. The three errors are independent. The standard deviation of each is the least one, plus
  * what the distance between start and end adds, plus what the angle between them adds. */
 Eigen::Matrix3d odometryCovariance(const Pose2& motion, const OdometryOptions& options);
 
-/** Covariance of (x, y, phi) of a motion that was not measured, but taken to be the one before once
- * more. */
+/** Covariance of (x, y, phi) of a motion of which nothing is known. */
 Eigen::Matrix3d unknownMotionCovariance(const OdometryOptions& options);
 }  // namespace psmks

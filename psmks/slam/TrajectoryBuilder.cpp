@@ -36,7 +36,10 @@ Eigen::Matrix3d vagueCovariance()
 TrajectoryBuilder::TrajectoryBuilder(std::unique_ptr<PairMatcher> matcher,
                                      const ReferenceOptions& reference,
                                      const OdometryOptions& odometry)
-    : policy_(reference), odometryOptions_(odometry), matcher_(std::move(matcher))
+    : policy_(reference),
+      odometryOptions_(odometry),
+      matcher_(std::move(matcher)),
+      steadyMotion_(odometry)
 {
 }
 
@@ -44,7 +47,8 @@ const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
                                         const std::optional<Pose2>& odometry)
 {
   const bool isFirst = scans_.empty();
-  const UncertainPose motion = isFirst ? UncertainPose() : motionBy(odometry);
+  const UncertainPose predicted = motionBy(odometry, scan.stamp_s);
+  const UncertainPose motion = isFirst ? UncertainPose() : predicted;
   straighten(scan, motion);
   append(std::move(scan), T_robot_sensor, odometry, motion);
   if (isFirst)
@@ -60,11 +64,21 @@ const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
   return current();
 }
 
-/** The measured motion, or the last one once more, with its covariance. */
-UncertainPose TrajectoryBuilder::motionBy(const std::optional<Pose2>& odometry) const
+/** The measured motion, or the last one going on, with its covariance. */
+UncertainPose TrajectoryBuilder::motionBy(const std::optional<Pose2>& odometry, double stamp_s)
 {
-  if (odometry) return {*odometry, odometryCovariance(*odometry, odometryOptions_)};
-  return {scans_.back().T_last_robot.pose, unknownMotionCovariance(odometryOptions_)};
+  const UncertainPose steady = steadyMotion_.untilScan(stamp_s);
+  if (!odometry) return steady;
+  return {*odometry, odometryCovariance(*odometry, odometryOptions_)};
+}
+
+/** The motion to the current scan tells the speed, unless the scans contradict what was expected of
+ * it: one match that is wrong would mislead the next. */
+void TrajectoryBuilder::learnSpeed()
+{
+  const MatchResult& result = current().decidingMatch()->result;
+  if (result.guessGivenUp || result.contradictsGuess()) return;
+  steadyMotion_.learn(current().T_last_robot.pose);
 }
 
 /** The motion that led to a scan tells how the robot turned while the scanner swept. */
@@ -119,7 +133,10 @@ UncertainPose TrajectoryBuilder::matched(const UncertainPose& motion,
   const UncertainPose& T_ref_cur = current().decidingMatch()->T_ref_cur;
   failuresInARow_ = current().isMatched() ? 0 : failuresInARow_ + 1;
   if (current().isMatched())
+  {
     current().T_last_robot = motionBetweenMatches(T_ref_last_.pose, T_ref_cur);
+    learnSpeed();
+  }
   return T_ref_cur;
 }
 

@@ -3,6 +3,7 @@
 
 #include <psmks/matchers/PairMatcher.h>
 #include <psmks/motion/OdometryNoise.h>
+#include <psmks/motion/SteadyMotion.h>
 #include <psmks/motion/Sweep.h>
 #include <psmks/slam/KeyframeMap.h>
 #include <psmks/slam/PosedScan.h>
@@ -22,7 +23,8 @@ namespace psmks
  * Each scan passes these steps:
  *
  * 1. Predict: the motion since the scan before is that of the odometry, or without odometry the
- *    last motion once more. It straightens the sweep of the scan.
+ *    last motion that scans measured, going on (SteadyMotion). It straightens the sweep of the
+ * scan.
  * 2. Choose the reference: with a map the nearest keyframe that saw enough of the scan, else the
  *    one that stands.
  * 3. Match against the reference, with the prediction and its covariance as a prior. Where that
@@ -74,7 +76,8 @@ class TrajectoryBuilder
   const PosedScan& current() const { return scans_.back(); }
   const PosedScan& previous() const { return scans_[scans_.size() - 2]; }
 
-  UncertainPose motionBy(const std::optional<Pose2>& odometry) const;
+  UncertainPose motionBy(const std::optional<Pose2>& odometry, double stamp_s);
+  void learnSpeed();
   void straighten(Scan& scan, const UncertainPose& motion);
   void append(Scan scan, const Pose2& T_robot_sensor, const std::optional<Pose2>& odometry,
               const UncertainPose& motion);
@@ -92,6 +95,7 @@ class TrajectoryBuilder
   OdometryOptions odometryOptions_;
   PosedScanMatcher matcher_;
   KeyframeMap map_{policy_};
+  SteadyMotion steadyMotion_;
   TurnRate turnRate_;
   std::vector<PosedScan> scans_;
   std::size_t reference_ = 0;

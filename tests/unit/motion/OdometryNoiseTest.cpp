@@ -53,7 +53,7 @@ TEST(OdometryNoise, EveryOptionStandsInTheTable)
   listFields(table, options);
   table.set("odometry", "sigma_per_turn_deg", "90");
   EXPECT_DOUBLE_EQ(options.sigmaPerTurn_rad, kPi / 2);
-  EXPECT_EQ(table.fields().size(), 8u);
+  EXPECT_EQ(table.fields().size(), 10u);
 }
 }  // namespace
 }  // namespace psmks
