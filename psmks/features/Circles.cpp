@@ -235,7 +235,7 @@ class CircleFinder
   /** Adds a circle to the result if its radius is known well enough. */
   void keep(const Fit& fit, int first, int last)
   {
-    const Eigen::Matrix3d covariance = fit.information.inverse();
+    const Eigen::Matrix3d covariance = scan_.raysPerReading * fit.information.inverse();
     const double radiusVariance_m2 = covariance(2, 2);
     if (!(radiusVariance_m2 > 0 && radiusVariance_m2 < kRadiusSigma_m * kRadiusSigma_m)) return;
     const auto begin = circleOfRay_.begin();

@@ -103,7 +103,7 @@ class ShortLineFinder
             int last)
   {
     Segment segment;
-    segment.line = solution.line(variance_m2);
+    segment.line = solution.line(scan_.raysPerReading * variance_m2);
     segment.firstRay = first;
     segment.lastRay = last;
     segment.rays = rays;

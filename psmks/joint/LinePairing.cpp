@@ -172,7 +172,7 @@ class Pairing
                                  l.distanceVarianceAt_m2(p_m) +
                                  gates_.unsegmentedRaySlack_m * gates_.unsegmentedRaySlack_m;
       problem_.rays.push_back({current, point_m, l.normal, l.normal.dot(l.anchor_m),
-                               gates_.singleRayWeight / variance_m2});
+                               gates_.singleRayWeight / (from.scan->raysPerReading * variance_m2)});
       ++associations_;
     }
   }

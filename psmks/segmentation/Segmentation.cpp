@@ -2,6 +2,7 @@
 #include <psmks/segmentation/CollinearityStatistic.h>
 #include <psmks/segmentation/LineFilters.h>
 #include <psmks/segmentation/LineFit.h>
+#include <psmks/segmentation/NoiseCorrelation.h>
 #include <psmks/segmentation/NoiseEstimate.h>
 #include <psmks/segmentation/Preprocessing.h>
 #include <psmks/segmentation/RangeRounding.h>
@@ -177,6 +178,8 @@ class Finish
   {
     int mark = 0;
     for (const LineRun& run : lines_.runs()) finish(run, mark++);
+    scan_.raysPerReading = correlation_.raysPerReading();
+    for (Segment& segment : scan_.segments) segment.line.covariance *= scan_.raysPerReading;
   }
 
  private:
@@ -202,6 +205,7 @@ class Finish
     if (!isSegment(fit, segment, scan_, options_)) return;
     setSegmentOfRays(run, mark, static_cast<int>(scan_.segments.size()));
     scan_.segments.push_back(segment);
+    correlation_.add(fit);
   }
 
   /** Drops rays that graze the line from both ends of a run, because the errors of their bearings
@@ -245,6 +249,7 @@ class Finish
   const SegmentationOptions& options_;
   RaySoA& rays_;
   SegmentedScan& scan_;
+  NoiseCorrelation correlation_;
 };
 
 /** SegmentedScan::returnSpacing of a cleaned scan.

@@ -39,6 +39,11 @@ struct SegmentedScan
    * them, more in a sparse scan. */
   int returnSpacing = 1;
 
+  /** How many neighbouring rays tell as much as one whose error is independent of the others: 1 for
+   * white noise. Scanners smooth along a scan, and walls are uneven over more than one ray. The
+   * covariances of the segments count it. */
+  double raysPerReading = 1;
+
   /** Range limit and stamp, as in Scan. */
   double maxRange_m = 0;
   double stamp_s = 0;

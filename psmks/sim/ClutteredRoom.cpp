@@ -57,6 +57,20 @@ void ClutteredRoom::addFreeWalls(int count, double minLength_m, double maxLength
   }
 }
 
+void ClutteredRoom::addFurniture(int count, const Eigen::Vector2d& size_m, double legSide_m)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    const auto centre_m = takePlace(size_m.norm() / 2);
+    if (!centre_m) continue;
+    const Pose2 T_world_furniture{centre_m->x(), centre_m->y(), draw(-kPi, kPi)};
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5})
+        world_.addBox(T_world_furniture * Eigen::Vector2d(x * size_m.x(), y * size_m.y()),
+                      {legSide_m, legSide_m}, T_world_furniture.phi_rad);
+  }
+}
+
 void ClutteredRoom::addRoundObjects(int count, double minRadius_m, double maxRadius_m,
                                     bool withArcs)
 {
@@ -153,6 +167,19 @@ Site makeCurved(unsigned seed)
     room.addRoundObjects(31, 0.2, 0.6, true);
     room.addRoundObjects(33, 0.02, 0.06, false);
     room.drawRoundObjects(kPoints);
+    return room;
+  };
+  return firstComplete(seed, layOut);
+}
+
+Site makeLegs(unsigned seed)
+{
+  const auto layOut = [](unsigned attempt)
+  {
+    ClutteredRoom room({30, 30}, 0.5, attempt);
+    room.addFurniture(60, {0.40, 0.40}, 0.03);
+    room.addFurniture(25, {1.20, 0.70}, 0.05);
+    room.addBoxes(40, 0.08, 0.35, kPi);
     return room;
   };
   return firstComplete(seed, layOut);

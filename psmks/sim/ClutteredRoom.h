@@ -24,6 +24,9 @@ class ClutteredRoom
    *  @param maxTurn_rad largest angle of a box to the room, in either direction */
   void addBoxes(int count, double minSide_m, double maxSide_m, double maxTurn_rad);
 
+  /** Adds chairs or tables: four square legs at the corners of a rectangle, at any angle. */
+  void addFurniture(int count, const Eigen::Vector2d& size_m, double legSide_m);
+
   /** Adds straight walls at any angle. */
   void addFreeWalls(int count, double minLength_m, double maxLength_m);
 
@@ -68,4 +71,8 @@ class ClutteredRoom
 Site makeRoom(unsigned seed);
 Site makeClutter(unsigned seed);
 Site makeCurved(unsigned seed);
+
+/** A floor full of chairs, tables and small boxes, whose walls are too far away for a scanner that
+ * sees 4 m. The same seed gives the same world. */
+Site makeLegs(unsigned seed);
 }  // namespace psmks

@@ -2,6 +2,7 @@
 #include <psmks/sim/Laser.h>
 
 #include <cmath>
+#include <deque>
 
 namespace psmks
 {
@@ -59,18 +60,57 @@ bool isLost(double share, std::mt19937_64& random)
   return share > 0 && std::bernoulli_distribution(share)(random);
 }
 
-// The noise of a beam without return is drawn as well, so that the other rays of a scan have the
-// same noise whatever the maximum range.
-Reading read(const Beam& beam, const LaserOptions& laser,
-             std::normal_distribution<double>& unitNoise, std::mt19937_64& random)
+/** The noise of the rays of a scan, in standard deviations: moving means of white noise. */
+class UnitNoise
 {
-  const double noise = unitNoise(random);
+ public:
+  UnitNoise(int smoothedRays, std::mt19937_64& random) : random_(random)
+  {
+    for (int i = 1; i < smoothedRays; ++i) window_.push_back(unit_(random_));
+  }
+
+  double next()
+  {
+    window_.push_back(unit_(random_));
+    double sum = 0;
+    for (const double noise : window_) sum += noise;
+    const double scaled = sum / std::sqrt(static_cast<double>(window_.size()));
+    window_.pop_front();
+    return scaled;
+  }
+
+ private:
+  std::mt19937_64& random_;
+  std::normal_distribution<double> unit_;
+  std::deque<double> window_;
+};
+
+/** Errors that the rays of a scan share. */
+struct SharedErrors
+{
+  SharedErrors(const LaserOptions& laser, std::mt19937_64& random)
+  {
+    const auto draw = [&random](double sigma)
+    { return sigma > 0 ? std::normal_distribution<double>(0, sigma)(random) : 0; };
+    range_m = draw(laser.scanOffsetSigma_m);
+    bearing_rad = draw(laser.scanBearingSigma_rad);
+  }
+
+  double range_m, bearing_rad;
+};
+
+/** What the scanner reads of a beam.
+ *  @param unitNoise of this ray, in standard deviations
+ *  @param shared_m error that the ray has in common with others */
+Reading read(const Beam& beam, const LaserOptions& laser, double unitNoise, double shared_m,
+             std::mt19937_64& random)
+{
   const bool lost = isLost(laser.dropOutShare, random);
   const Hit hit = beam.hit(0);
   if (lost || hit.object == Hit::kNothing) return {};
   const double returned_m =
       laser.beamDivergence_rad > 0 ? beam.meanRange_m(laser.beamDivergence_rad) : hit.range_m;
-  const double noise_m = noise * laser.rangeNoise().sigmaAt_m(hit.range_m);
+  const double noise_m = unitNoise * laser.rangeNoise().sigmaAt_m(hit.range_m) + shared_m;
   const double range_m = rounded_m(returned_m + noise_m, laser.quantum_m);
   return {range_m, range_m - hit.range_m, hit.object};
 }
@@ -85,14 +125,20 @@ SimulatedScan castScan(const Surroundings& surroundings, const SensorMotion& T_w
   simulated.scan.sweepDuration_s = laser.sweepDuration_s;
   const int rays = laser.grid.count();
   const double betweenRays_s = rays > 1 ? laser.sweepDuration_s / (rays - 1) : 0;
-  std::normal_distribution<double> unitNoise;
+  const SharedErrors shared(laser, random);
+  UnitNoise unitNoise(laser.smoothedRays, random);
   for (int ray = 0; ray < rays; ++ray)
   {
     const double sinceFirst_s = ray * betweenRays_s;
     const Pose2 pose = T_world_sensor(sinceFirst_s);
-    const Beam beam{surroundings, pose.translation(), pose.rotation() * laser.grid.direction(ray),
+    const double bearing_rad = laser.grid.bearing_rad(ray) + shared.bearing_rad;
+    const Beam beam{surroundings, pose.translation(),
+                    pose.rotation() * Eigen::Vector2d(std::cos(bearing_rad), std::sin(bearing_rad)),
                     time_s + sinceFirst_s, laser.maxRange_m};
-    Reading reading = read(beam, laser, unitNoise, random);
+    // Drawn for beams without return as well, so that the other rays of a scan have the same noise
+    // whatever the maximum range.
+    const double noise = unitNoise.next();
+    Reading reading = read(beam, laser, noise, shared.range_m, random);
     if (ray % laser.returnEvery != 0) reading = {};
     simulated.scan.range_m.push_back(reading.range_m);
     simulated.noise_m.push_back(reading.noise_m);

@@ -24,6 +24,10 @@ struct LaserOptions
   int returnEvery = 1;              //!< only every so many-th ray returns; 1 = all of them
   double beamDivergence_rad = 0;    //!< full width of a beam, which returns the mean range of all
                                     //!< that it meets, at edges a mixed pixel; 0 = thin
+  int smoothedRays = 1;             //!< each noise is the mean of so many independent ones, scaled
+                                    //!< to rangeSigma_m: neighbours err together; 1 = white
+  double scanOffsetSigma_m = 0;     //!< of an offset of all ranges of a scan
+  double scanBearingSigma_rad = 0;  //!< of an offset of all bearings of a scan
   double sweepDuration_s = 0;       //!< from first to last ray, which all have their own pose
 
   RangeNoise rangeNoise() const { return {rangeSigma_m, rangeSigmaPerMetre_m}; }
@@ -33,7 +37,8 @@ struct LaserOptions
 struct SimulatedScan
 {
   Scan scan;                     //!< range 0 = no return
-  std::vector<double> noise_m;   //!< measured minus true range of each ray; 0 without return
+  std::vector<double> noise_m;   //!< measured minus true range of each ray, in the direction that it
+                                 //!< took; 0 without return
   std::vector<int> objectOfRay;  //!< see Hit::object; Hit::kNothing without return
 };
 

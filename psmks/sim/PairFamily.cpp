@@ -128,6 +128,12 @@ void addHarder(std::vector<PairFamily>& families)
   }
   families.push_back(office("mixed", "beams of 0.5 degrees: mixed pixels at edges",
                             flawed(&LaserOptions::beamDivergence_rad, kBeam_rad)));
+  LaserOptions smoothing = lms();
+  smoothing.smoothedRays = 3;
+  families.push_back(office("smoothed", "noise smoothed over 3 rays", smoothing));
+  LaserOptions shifting = flawed(&LaserOptions::scanOffsetSigma_m, 0.002);
+  shifting.scanBearingSigma_rad = degToRad(0.05);
+  families.push_back(office("shifted", "whole scans off by 2 mm and 0.05 degrees", shifting));
   families.push_back(office("fov90", "181 rays over 90 degrees", scanner(90, 181, 30)));
   families.push_back(withPeople(office("people", "a crowd of 6 people", lms()), 6));
   families.push_back(
@@ -164,6 +170,10 @@ void addScanners(std::vector<PairFamily>& families)
   { families.push_back(office(name, scanner, laser)); };
   add("urg04lx", "Hokuyo URG-04LX: 682 rays over 240 degrees, 4 m, noise of 1 %",
       noisy(scanner(240, 682, 4), {0.005, 0.01}));
+  LaserOptions smoothing = noisy(scanner(240, 682, 4), {0.004, 0.005});
+  smoothing.smoothedRays = 3;
+  add("urg04lx_smoothed", "the same with noise of 0.5 % that is smoothed over 3 rays", smoothing);
+  families.push_back(in(makeLegs, office("legs", "the same among legs, without walls", smoothing)));
   add("utm30lx", "Hokuyo UTM-30LX: 1081 rays over 270 degrees, 30 m, 1 cm and 0.1 %",
       noisy(scanner(270, 1081, 30), {0.01, 0.001}));
   add("rplidar", "Slamtec RPLIDAR A: 400 rays all round, 12 m, noise of 1 %",
@@ -191,6 +201,12 @@ RangeNoise PairFamily::rangeNoise() const
   const double sigma_m =
       std::sqrt(laser.rangeSigma_m * laser.rangeSigma_m + laser.quantum_m * laser.quantum_m / 12);
   return {sigma_m, laser.rangeSigmaPerMetre_m};
+}
+
+// The mean of many rays of a moving mean of w has w times the variance that white noise leaves it.
+RangeNoise PairFamily::equivalentWhiteNoise() const
+{
+  return rangeNoise().scaledTo(std::sqrt(laser.smoothedRays) * rangeNoise().sigma_m);
 }
 
 const std::vector<PairFamily>& pairFamilies()

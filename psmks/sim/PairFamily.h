@@ -22,6 +22,9 @@ struct PairFamily
 
   /** The noise of a range, including the rounding to the quantum. */
   RangeNoise rangeNoise() const;
+
+  /** White noise of which as many rays tell as much as those of the scanner. */
+  RangeNoise equivalentWhiteNoise() const;
 };
 
 /** All families: first the plain ones, then those with one difficulty more.

@@ -176,7 +176,7 @@ TEST(SensorFiles, HoldWhatTheirTableSays)
   const std::vector<Scanner> scanners = {{"sick-lms200", 0, 0, 0.01, 0, 0.0133333},
                                          {"sick-lms1xx", 0.5, 20, 0.012, 0, 0.02},
                                          {"sick-tim5xx", 0.05, 10, 0.02, 0, 0.0666667},
-                                         {"hokuyo-urg-04lx", 0.06, 5.6, 0.005, 0.01, 0.1},
+                                         {"hokuyo-urg-04lx", 0.06, 5.6, 0.008, 0.003, 0.1},
                                          {"hokuyo-utm-30lx", 0.1, 30, 0.01, 0.001, 0.025},
                                          {"slamtec-rplidar-a", 0.15, 12, 0.005, 0.01, 0.1}};
   for (const Scanner& scanner : scanners)
@@ -209,11 +209,11 @@ TEST(SensorFiles, OverrideDefaultsAndAreOverridden)
   const std::string sensor =
       "--sensor-file " + quoted(kSource + "/config/sensors/hokuyo-urg-04lx.ini");
   EXPECT_TRUE(test::says(printed(sensor),
-                         {"\nrange_sigma_m = 0.005\n", "\nrange_sigma_per_metre_m = 0.01\n",
+                         {"\nrange_sigma_m = 0.008\n", "\nrange_sigma_per_metre_m = 0.003\n",
                           "\nmax_range_m = 5.6\n", "\nmin_rays = 6\n"}));
   EXPECT_TRUE(test::says(
       printed("--config " + quoted(config) + " " + sensor),
-      {"\nrange_sigma_m = 0.03\n", "\nrange_sigma_per_metre_m = 0.01\n", "\nmin_rays = 7\n"}));
+      {"\nrange_sigma_m = 0.03\n", "\nrange_sigma_per_metre_m = 0.003\n", "\nmin_rays = 7\n"}));
   EXPECT_TRUE(
       test::says(printed(sensor + " --set segmentation.min_rays=8 --config " + quoted(config)),
                  {"\nrange_sigma_m = 0.03\n", "\nmin_rays = 8\n"}));

@@ -15,7 +15,7 @@ constexpr const char* kExtension = ".pairs";
 
 void describe(PairsInput& input, const PairFamily& family)
 {
-  input.rangeNoise = family.rangeNoise();
+  input.rangeNoise = family.equivalentWhiteNoise();
   input.hasMovingObjects = family.people > 0;
 }
 

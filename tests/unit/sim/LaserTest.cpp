@@ -56,6 +56,51 @@ TEST(Laser, NoiseIsMeasuredMinusTrueRange)
     EXPECT_NEAR(faulty.scan.range_m[ray] - exact.scan.range_m[ray], faulty.noise_m[ray], 1e-12);
 }
 
+// A moving mean of three: neighbours share two of three parts, and the variance stays.
+TEST(Laser, SmoothedNoiseIsCorrelatedAlongTheScan)
+{
+  LaserOptions laser = exactLaser(61);
+  laser.rangeSigma_m = 0.01;
+  laser.smoothedRays = 3;
+  double squares = 0, neighbours = 0, nextButTwo = 0;
+  int rays = 0;
+  for (unsigned seed = 0; seed < 400; ++seed)
+  {
+    const std::vector<double> noise_m = scanOf(wallBeforeWall(), {0, 5, 0}, laser, seed).noise_m;
+    for (std::size_t ray = 0; ray + 3 < noise_m.size(); ++ray, ++rays)
+    {
+      squares += noise_m[ray] * noise_m[ray];
+      neighbours += noise_m[ray] * noise_m[ray + 1];
+      nextButTwo += noise_m[ray] * noise_m[ray + 3];
+    }
+  }
+  EXPECT_NEAR(std::sqrt(squares / rays), 0.01, 0.0002);
+  EXPECT_NEAR(neighbours / squares, 2.0 / 3, 0.02);
+  EXPECT_NEAR(nextButTwo / squares, 0, 0.02);
+}
+
+TEST(Laser, AScanErrsAsAWhole)
+{
+  const LaserOptions exact = exactLaser(61);
+  const SimulatedScan truth = scanOf(wallBeforeWall(), {0, 5, 0}, exact);
+  LaserOptions offset = exact, turned = exact;
+  offset.scanOffsetSigma_m = 0.01;
+  turned.scanBearingSigma_rad = degToRad(1);
+  const SimulatedScan farther = scanOf(wallBeforeWall(), {0, 5, 0}, offset);
+  EXPECT_GT(std::abs(farther.noise_m[0]), 1e-4);
+  for (std::size_t ray = 0; ray < 61; ++ray)
+    EXPECT_NEAR(farther.scan.range_m[ray] - truth.scan.range_m[ray], farther.noise_m[0], 1e-12);
+
+  const SimulatedScan aside = scanOf(wallBeforeWall(), {0, 5, 0}, turned);
+  const double turn_rad = std::acos(5 / aside.scan.range_m[30]);
+  EXPECT_GT(turn_rad, degToRad(0.05));
+  const Pose2 left{0, 5, turn_rad}, right{0, 5, -turn_rad};
+  const bool isLeft = aside.scan.range_m[40] > truth.scan.range_m[40];
+  const SimulatedScan same = scanOf(wallBeforeWall(), isLeft ? left : right, exact);
+  for (std::size_t ray = 0; ray < 61; ++ray)
+    EXPECT_NEAR(aside.scan.range_m[ray], same.scan.range_m[ray], 1e-9);
+}
+
 TEST(Laser, NoiseGrowsWithTheRangeByItsLaw)
 {
   LaserOptions laser = exactLaser(61);

