@@ -3,6 +3,7 @@
 #include <psmks/logs/CarmenGeometry.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace psmks
 {
@@ -58,6 +59,13 @@ Pose2 mountingOfParameters(const CarmenSurvey& survey, bool rear)
 /** Whether so many rays with this increment do not exceed the circle, see BeamGrid. */
 bool fitsRound(double increment_rad, int rays) { return increment_rad * (rays - 0.5) <= 2 * kPi; }
 
+/** Whether the rays are those of a Hokuyo URG, which has 1024 steps a turn. */
+bool isUrg(const CarmenScanner& scanner)
+{
+  constexpr double kStep_rad = 2 * kPi / 1024, kRounding = 1e-5;
+  return scanner.increment_rad && std::abs(*scanner.increment_rad / kStep_rad - 1) < kRounding;
+}
+
 double spread_rad(double fieldOfView_rad, int rays)
 {
   const double increment_rad = fieldOfView_rad / CarmenGeometry::stepsOf(rays);
@@ -110,8 +118,11 @@ double CarmenGeometry::maxRange_m(const CarmenScanner& stated) const
 double CarmenGeometry::beamTurn_s(const std::optional<CarmenScanner>& stated)
 {
   constexpr int kSickLms = 0, kSickPls = 1;
-  const int type = stated ? stated->type.value_or(-1) : kSickLms;
-  return type == kSickLms ? 1.0 / 75 : type == kSickPls ? 1.0 / 25 : 0;
+  constexpr double kLmsTurn_s = 1.0 / 75, kPlsTurn_s = 1.0 / 25, kUrgTurn_s = 0.1;
+  if (!stated) return kLmsTurn_s;
+  if (isUrg(*stated)) return kUrgTurn_s;
+  const int type = stated->type.value_or(-1);
+  return type == kSickLms ? kLmsTurn_s : type == kSickPls ? kPlsTurn_s : 0;
 }
 
 bool CarmenGeometry::isGuessed(const CarmenScanner& stated, int rays) const

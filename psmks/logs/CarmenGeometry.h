@@ -41,9 +41,11 @@ class CarmenGeometry
   double maxRange_m(const CarmenScanner& stated) const;
 
   /** The time of one turn of the beam. It is known for the SICK LMS (75 turns a second), for which
-   * the messages without a description of the scanner were made, and for the SICK PLS (25 turns a
-   * second); 0 for others.
-   * Source: SICK, technical descriptions LMS 200 / 211 / 221 / 291 and PLS 101. */
+   * the messages without a description of the scanner were made, for the SICK PLS (25 turns a
+   * second), and for the Hokuyo URG (10 turns a second), which is known by its 1024 steps a turn,
+   * for converters of logs leave the type of the scanner at its default; 0 for others.
+   * Sources: SICK, technical descriptions LMS 200 / 211 / 221 / 291 and PLS 101; Hokuyo,
+   * specification URG-04LX. */
   static double beamTurn_s(const std::optional<CarmenScanner>& stated);
 
   /** Whether the bearings of the rays follow from their number alone. */

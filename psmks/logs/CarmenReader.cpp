@@ -175,7 +175,7 @@ std::vector<std::string> CarmenReader::remarks() const
     remarks.push_back(
         "the messages put the laser to different places on the robot, the "
         "parameters count");
-  if (geometries_.at(found->first).isGuessed(CarmenScanner(), scans.rays))
+  if (geometries_.at(found->first).isGuessed(scans.scanner, scans.rays))
     remarks.push_back("nothing states the field of view of " + std::to_string(scans.rays) +
                       " rays, 180 degrees are assumed");
   return remarks;

@@ -62,6 +62,7 @@ void CarmenSensorSurvey::add(const CarmenMessage& message, int line)
   {
     rays = static_cast<int>(message.ranges_m.size());
     T_robot_sensor = mounting;
+    scanner = message.scanner.value_or(CarmenScanner());
   }
   mountingVaries |= isAnotherMounting(T_robot_sensor.inverse() * mounting);
   odometryIsZero &= isZero(message.T_odom_robot);

@@ -43,6 +43,7 @@ struct CarmenSensorSurvey
 {
   int scans = 0;
   int rays = 0;                 //!< number of rays of the first scan
+  CarmenScanner scanner;        //!< what the first scan states of it
   bool odometryIsZero = true;   //!< whether the odometry of all scans is zero
   Pose2 T_robot_sensor;         //!< mounting according to the first message of a ROBOTLASER
   bool mountingVaries = false;  //!< whether a later message has another mounting
