@@ -9,15 +9,15 @@ namespace psmks
 namespace
 {
 /** How much farther the scanner has to see past the end of an object. Evidence: measured. */
-constexpr double kJump_m = 0.15;
+constexpr double kSeenPast_m = 0.15;
 
 /** By how many steps of the object's own range the scanner has to see farther, too: rays that graze
  * a wall are farther apart from one to the next. Unit: steps. Evidence: measured. */
-constexpr double kSteps = 3;
+constexpr double kOwnSteps = 3;
 
 /** Standard deviation by which the end of an object is another one where it is seen from another
  * side. Evidence: measured. */
-constexpr double kShape_m = 0.01;
+constexpr double kOtherSide_m = 0.01;
 
 /** Probability above which rays without a return in a row may be faults. Unit: probability.
  * Definition: one edge in a hundred may be none, a small share beside those of things that moved.
@@ -41,7 +41,7 @@ class EdgeFinder
     countLostRays();
     const double* range_m = scan_.range_m.data();
     for (int ray = 0; ray + 1 < scan_.rays(); ++ray)
-      if (std::abs(range_m[ray] - range_m[ray + 1]) > kJump_m) addBetween(ray, ray + 1);
+      if (std::abs(range_m[ray] - range_m[ray + 1]) > kSeenPast_m) addBetween(ray, ray + 1);
     if (scan_.grid.closed() && scan_.rays() > 0) addBetween(scan_.rays() - 1, 0);
   }
 
@@ -61,9 +61,9 @@ class EdgeFinder
     for (int ray = 0; ray + 2 < scan_.rays(); ++ray)
     {
       pairs += valid[ray] & valid[ray + 1] &
-               static_cast<int>(std::abs(range_m[ray] - range_m[ray + 1]) <= kJump_m);
+               static_cast<int>(std::abs(range_m[ray] - range_m[ray + 1]) <= kSeenPast_m);
       lost += valid[ray] & (1 - valid[ray + 1]) & valid[ray + 2] &
-              static_cast<int>(std::abs(range_m[ray] - range_m[ray + 2]) <= kJump_m);
+              static_cast<int>(std::abs(range_m[ray] - range_m[ray + 2]) <= kSeenPast_m);
     }
     lostShare_ = lost < pairs ? static_cast<double>(lost) / pairs : kMostLost;
     for (double probability = lostShare_; probability > kFault; probability *= lostShare_)
@@ -84,8 +84,8 @@ class EdgeFinder
     const int inner = scan_.grid.neighbour(ray, -step);
     if (!isSeen(inner)) return false;
     const double objectStep_m = std::abs(range_m(ray) - range_m(inner));
-    if (objectStep_m > kJump_m) return false;
-    const double past_m = range_m(ray) + kJump_m + kSteps * objectStep_m;
+    if (objectStep_m > kSeenPast_m) return false;
+    const double past_m = range_m(ray) + kSeenPast_m + kOwnSteps * objectStep_m;
     for (int i = 1;; ++i)
     {
       const int outer = scan_.grid.neighbour(ray, i * step);
@@ -113,8 +113,8 @@ class EdgeFinder
     const double variance = 1.0 / 12 + lostShare_ / (kept * kept);
     const double across_m = range_m(ray) * spacing_rad;
     edges_.push_back({(range_m(ray) + slope_m / 2) * sight, sight,
-                      across_m * across_m * variance + kShape_m * kShape_m / 2,
-                      slope_m * slope_m * variance + kShape_m * kShape_m / 2, step});
+                      across_m * across_m * variance + kOtherSide_m * kOtherSide_m / 2,
+                      slope_m * slope_m * variance + kOtherSide_m * kOtherSide_m / 2, step});
   }
 
   const SegmentedScan& scan_;
