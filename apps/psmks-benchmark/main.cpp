@@ -3,6 +3,7 @@
 #include <apps/psmks-benchmark/experiments/ExperimentsCommand.h>
 #include <apps/psmks-benchmark/experiments/SegmentationCommand.h>
 #include <apps/psmks-benchmark/growth/GrowthCommand.h>
+#include <apps/psmks-benchmark/logs/ClosureCommand.h>
 #include <apps/psmks-benchmark/logs/LogsCommand.h>
 #include <apps/psmks-benchmark/logs/SelfmatchCommand.h>
 #include <apps/psmks-benchmark/logs/StepsCommand.h>
@@ -78,6 +79,8 @@ void addCommands(Commands& commands)
   commands.add<StepsCommand>("steps", "matchers on scans of a log that follow each other");
   commands.add<SelfmatchCommand>("selfmatch",
                                  "matchers on each scan of a log and its displaced self");
+  commands.add<ClosureCommand>(
+      "closure", "whether three matches in a triangle miss by no more than the noise");
   commands.add<GrowthCommand>("growth", "how the time of a match grows with the rays of the scans");
   commands.add<SegmentationCommand>("segmentation", "Kalman Segmentation on simulated scans");
   commands.add<ExperimentsCommand>("experiments", "the paper's experiments on simulated drives");
