@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/features/DepthEdges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -10,6 +11,10 @@ namespace
 {
 /** How much farther the scanner has to see past the end of an object. Evidence: measured. */
 constexpr double kSeenPast_m = 0.15;
+
+/** The same in standard deviations of a range, whichever is more: noise makes no ends. Unit:
+ * standard deviations. Evidence: measured. */
+constexpr double kSeenPastSigmas = 4;
 
 /** By how many steps of the object's own range the scanner has to see farther, too: rays that graze
  * a wall are farther apart from one to the next. Unit: steps. Evidence: measured. */
@@ -32,7 +37,10 @@ constexpr double kMostLost = 0.99;
 class EdgeFinder
 {
  public:
-  EdgeFinder(const SegmentedScan& scan, std::vector<DepthEdge>& edges) : scan_(scan), edges_(edges)
+  EdgeFinder(const SegmentedScan& scan, std::vector<DepthEdge>& edges)
+      : scan_(scan),
+        edges_(edges),
+        jump_m_(std::max(kSeenPast_m, kSeenPastSigmas * scan.typicalRangeSigma_m()))
   {
   }
 
@@ -41,7 +49,7 @@ class EdgeFinder
     countLostRays();
     const double* range_m = scan_.range_m.data();
     for (int ray = 0; ray + 1 < scan_.rays(); ++ray)
-      if (std::abs(range_m[ray] - range_m[ray + 1]) > kSeenPast_m) addBetween(ray, ray + 1);
+      if (std::abs(range_m[ray] - range_m[ray + 1]) > jump_m_) addBetween(ray, ray + 1);
     if (scan_.grid.closed() && scan_.rays() > 0) addBetween(scan_.rays() - 1, 0);
   }
 
@@ -61,9 +69,9 @@ class EdgeFinder
     for (int ray = 0; ray + 2 < scan_.rays(); ++ray)
     {
       pairs += valid[ray] & valid[ray + 1] &
-               static_cast<int>(std::abs(range_m[ray] - range_m[ray + 1]) <= kSeenPast_m);
+               static_cast<int>(std::abs(range_m[ray] - range_m[ray + 1]) <= jump_m_);
       lost += valid[ray] & (1 - valid[ray + 1]) & valid[ray + 2] &
-              static_cast<int>(std::abs(range_m[ray] - range_m[ray + 2]) <= kSeenPast_m);
+              static_cast<int>(std::abs(range_m[ray] - range_m[ray + 2]) <= jump_m_);
     }
     lostShare_ = lost < pairs ? static_cast<double>(lost) / pairs : kMostLost;
     for (double probability = lostShare_; probability > kFault; probability *= lostShare_)
@@ -84,8 +92,8 @@ class EdgeFinder
     const int inner = scan_.grid.neighbour(ray, -step);
     if (!isSeen(inner)) return false;
     const double objectStep_m = std::abs(range_m(ray) - range_m(inner));
-    if (objectStep_m > kSeenPast_m) return false;
-    const double past_m = range_m(ray) + kSeenPast_m + kOwnSteps * objectStep_m;
+    if (objectStep_m > jump_m_) return false;
+    const double past_m = range_m(ray) + jump_m_ + kOwnSteps * objectStep_m;
     for (int i = 1;; ++i)
     {
       const int outer = scan_.grid.neighbour(ray, i * step);
@@ -119,6 +127,7 @@ class EdgeFinder
 
   const SegmentedScan& scan_;
   std::vector<DepthEdge>& edges_;
+  const double jump_m_;   //!< by how much the scanner sees farther past an object
   double lostShare_ = 0;  //!< of the rays on surfaces
   int shortestVoid_ = 1;  //!< fewest rays without a return in a row that are no fault
 };

@@ -74,6 +74,16 @@ TEST(DepthEdges, AnObjectDoesNotEndAtTheEndOfTheFieldOfView)
   EXPECT_TRUE(edgesOf(halfCircleOf(std::vector<double>(41, 2))).empty());
 }
 
+// With a noise of 10 cm a step of 30 cm may be none.
+TEST(DepthEdges, NoiseMakesNoEnds)
+{
+  SegmentedScan scan = halfCircleOf(objectBeforeWall(20, 24, 2, 2.3));
+  scan.rangeNoise = {0.05};
+  EXPECT_EQ(edgesOf(scan).size(), 2U);
+  scan.rangeNoise = {0.1};
+  EXPECT_TRUE(edgesOf(scan).empty());
+}
+
 TEST(DepthEdges, ASingleRayIsNoObject)
 {
   EXPECT_TRUE(edgesOf(halfCircleOf(objectBeforeWall(20, 20, 2, 4))).empty());
