@@ -33,11 +33,12 @@ RayTerm heldAcross(const DepthEdge& reference, const DepthEdge& current, const E
 }
 }  // namespace
 
-void pairEdges(const std::vector<DepthEdge>& reference, const std::vector<DepthEdge>& current,
-               const Pose2& T_ref_cur, double gate_m, std::vector<RayTerm>& pairs)
+int pairEdges(const std::vector<DepthEdge>& reference, const std::vector<DepthEdge>& current,
+              const Pose2& T_ref_cur, double gate_m, std::vector<RayTerm>& pairs)
 {
   const Pose2 T_cur_ref = T_ref_cur.inverse();
   const Eigen::Matrix2d R = T_ref_cur.rotation();
+  const std::size_t before = pairs.size();
   for (const DepthEdge& edge : current)
   {
     const DepthEdge* partner = nearestEdge(reference, T_ref_cur * edge.point_m, edge.step, gate_m);
@@ -45,5 +46,6 @@ void pairEdges(const std::vector<DepthEdge>& reference, const std::vector<DepthE
       continue;
     pairs.push_back(heldAcross(*partner, edge, R));
   }
+  return static_cast<int>(pairs.size() - before);
 }
 }  // namespace psmks

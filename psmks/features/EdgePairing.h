@@ -17,7 +17,8 @@ namespace psmks
  * Differs from the paper: it pairs segments alone.
  *
  *  @param gate_m largest distance of the edges
- *  @param[in,out] pairs the pairs are appended to it */
-void pairEdges(const std::vector<DepthEdge>& reference, const std::vector<DepthEdge>& current,
-               const Pose2& T_ref_cur, double gate_m, std::vector<RayTerm>& pairs);
+ *  @param[in,out] pairs the pairs are appended to it
+ *  @return the number of pairs, each of one ray on either object */
+int pairEdges(const std::vector<DepthEdge>& reference, const std::vector<DepthEdge>& current,
+              const Pose2& T_ref_cur, double gate_m, std::vector<RayTerm>& pairs);
 }  // namespace psmks

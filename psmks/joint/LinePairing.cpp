@@ -56,7 +56,8 @@ class Pairing
                              problem_.circlePairs);
       associations_ += circles_.rays;
     }
-    pairEdges(ref_.edges, cur_.edges, T_ref_cur_, gates_.edgeDistance_m, problem_.rays);
+    associations_ +=
+        pairEdges(ref_.edges, cur_.edges, T_ref_cur_, gates_.edgeDistance_m, problem_.rays);
     pairUnsegmentedRays(cur_, ref_, T_ref_cur_, true);
     pairUnsegmentedRays(ref_, cur_, T_ref_cur_.inverse(), false);
     return associations_;

@@ -20,7 +20,8 @@ std::vector<RayTerm> pair(const std::vector<DepthEdge>& reference,
                           const std::vector<DepthEdge>& current, const Pose2& T_ref_cur)
 {
   std::vector<RayTerm> pairs;
-  pairEdges(reference, current, T_ref_cur, kGate_m, pairs);
+  const int count = pairEdges(reference, current, T_ref_cur, kGate_m, pairs);
+  EXPECT_EQ(count, static_cast<int>(pairs.size()));
   return pairs;
 }
 }  // namespace
