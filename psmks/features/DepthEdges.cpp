@@ -20,8 +20,8 @@ constexpr double kSeenPastSigmas = 4;
  * a wall are farther apart from one to the next. Unit: steps. Evidence: measured. */
 constexpr double kOwnSteps = 3;
 
-/** Standard deviation by which the end of an object is another one where it is seen from another
- * side. Evidence: measured. */
+/** Standard deviation of how far apart two scanners at different places see the end of a rounded or
+ * uneven object. Evidence: measured. */
 constexpr double kOtherSide_m = 0.01;
 
 /** Probability above which rays without a return in a row may be faults. Unit: probability.
@@ -30,17 +30,14 @@ constexpr double kOtherSide_m = 0.01;
 constexpr double kFault = 0.01;
 
 /** Share of lost rays of a scan that shows no neighbours on a surface. Unit: share of the rays.
- * Definition: nearly all, so that no run of rays without a return is an edge. */
+ * Definition: nearly all, so that no run of fewer than 459 rays without a return is an edge. */
 constexpr double kMostLost = 0.99;
 
 /** Finds the depth edges of a scan. */
 class EdgeFinder
 {
  public:
-  EdgeFinder(const SegmentedScan& scan, std::vector<DepthEdge>& edges)
-      : scan_(scan),
-        edges_(edges),
-        jump_m_(std::max(kSeenPast_m, kSeenPastSigmas * scan.typicalRangeSigma_m()))
+  EdgeFinder(const SegmentedScan& scan, std::vector<DepthEdge>& edges) : scan_(scan), edges_(edges)
   {
   }
 
@@ -49,7 +46,7 @@ class EdgeFinder
     countLostRays();
     const double* range_m = scan_.range_m.data();
     for (int ray = 0; ray + 1 < scan_.rays(); ++ray)
-      if (std::abs(range_m[ray] - range_m[ray + 1]) > jump_m_) addBetween(ray, ray + 1);
+      if (std::abs(range_m[ray] - range_m[ray + 1]) > kSeenPast_m) addBetween(ray, ray + 1);
     if (scan_.grid.closed() && scan_.rays() > 0) addBetween(scan_.rays() - 1, 0);
   }
 
@@ -58,9 +55,15 @@ class EdgeFinder
 
   bool isSeen(int ray) const { return ray >= 0 && scan_.isValid(ray); }
 
-  /** Counts the rays without a return between two neighbours on one surface, and the neighbours on
-   * one surface. Where a share p of the rays is lost, of n rays on surfaces n p (1 - p)^2 are the
-   * former and n (1 - p)^2 the latter. */
+  /** By how much the scanner has to see farther past an object that a ray meets. */
+  double jumpAt_m(int ray) const
+  {
+    return std::max(kSeenPast_m, kSeenPastSigmas * std::sqrt(scan_.rangeVarianceOf_m2(ray)));
+  }
+
+  /** Counts the single rays without a return between two neighbours on one surface, and the
+   * neighbours on one surface. Where a share p of the rays is lost, of n rays on surfaces n p (1 -
+   * p)^2 are the former and n (1 - p)^2 the latter. */
   void countLostRays()
   {
     const double* range_m = scan_.range_m.data();
@@ -69,9 +72,9 @@ class EdgeFinder
     for (int ray = 0; ray + 2 < scan_.rays(); ++ray)
     {
       pairs += valid[ray] & valid[ray + 1] &
-               static_cast<int>(std::abs(range_m[ray] - range_m[ray + 1]) <= jump_m_);
+               static_cast<int>(std::abs(range_m[ray] - range_m[ray + 1]) <= kSeenPast_m);
       lost += valid[ray] & (1 - valid[ray + 1]) & valid[ray + 2] &
-              static_cast<int>(std::abs(range_m[ray] - range_m[ray + 2]) <= jump_m_);
+              static_cast<int>(std::abs(range_m[ray] - range_m[ray + 2]) <= kSeenPast_m);
     }
     lostShare_ = lost < pairs ? static_cast<double>(lost) / pairs : kMostLost;
     for (double probability = lostShare_; probability > kFault; probability *= lostShare_)
@@ -91,15 +94,15 @@ class EdgeFinder
   {
     const int inner = scan_.grid.neighbour(ray, -step);
     if (!isSeen(inner)) return false;
-    const double objectStep_m = std::abs(range_m(ray) - range_m(inner));
-    if (objectStep_m > jump_m_) return false;
-    const double past_m = range_m(ray) + jump_m_ + kOwnSteps * objectStep_m;
+    const double objectStep_m = std::abs(range_m(ray) - range_m(inner)), jump_m = jumpAt_m(ray);
+    if (objectStep_m > jump_m) return false;
+    const double past_m = range_m(ray) + jump_m + kOwnSteps * objectStep_m;
     for (int i = 1;; ++i)
     {
       const int outer = scan_.grid.neighbour(ray, i * step);
       if (outer < 0) return false;
       if (scan_.isValid(outer)) return range_m(outer) > past_m && isPassed(outer, step, past_m);
-      if (i >= shortestVoid_) return true;
+      if (i >= shortestVoid_) return past_m < scan_.maxRange_m;
     }
   }
 
@@ -127,7 +130,6 @@ class EdgeFinder
 
   const SegmentedScan& scan_;
   std::vector<DepthEdge>& edges_;
-  const double jump_m_;   //!< by how much the scanner sees farther past an object
   double lostShare_ = 0;  //!< of the rays on surfaces
   int shortestVoid_ = 1;  //!< fewest rays without a return in a row that are no fault
 };

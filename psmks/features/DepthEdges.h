@@ -17,8 +17,9 @@ namespace psmks
  *       \ |   |   | /           object and the rays that pass it
  *          scanner
  *
- * A wall that ends behind an object has no edge there: where it is hidden changes with the place of
- * the scanner. */
+ * A wall that leaves the range of the scanner has no edge at the limit, nor has a wall that ends
+ * behind an object: where it is hidden changes with the place of
+ * the scanner in both cases. */
 struct DepthEdge
 {
   Eigen::Vector2d point_m;   //!< the end of the object, sensor frame

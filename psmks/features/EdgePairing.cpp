@@ -36,6 +36,7 @@ RayTerm heldAcross(const DepthEdge& reference, const DepthEdge& current, const E
 int pairEdges(const std::vector<DepthEdge>& reference, const std::vector<DepthEdge>& current,
               const Pose2& T_ref_cur, double gate_m, std::vector<RayTerm>& pairs)
 {
+  if (!(gate_m > 0)) return 0;
   const Pose2 T_cur_ref = T_ref_cur.inverse();
   const Eigen::Matrix2d R = T_ref_cur.rotation();
   const std::size_t before = pairs.size();

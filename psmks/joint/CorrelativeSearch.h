@@ -22,12 +22,12 @@ struct SearchWindow
  * the evidence of the reference (Olson 2009), branch and bound (Hess et al. 2016).
  *
  * The window is a grid of poses: translations by whole cells of the EvidenceGrid, headings by steps
- * that move half of the rays by at most two cells. The score of a pose is the sum of the evidence
- * in the cells in which its rays end. A node is a heading and a square block of translations, with
- * the sum of the bounds of each ray's square as its own bound; nodes are taken in the order of
- * their bounds and split, so that poses are met in the order of their scores. The result is that of
- * scoring every pose of the grid: the pose with the highest score, then the highest that is another
- * optimum (isSameStart()), and so on. */
+ * that move half of the rays by at most two cells, but no less than 1 and no more than 3 degrees.
+ * The score of a pose is the sum of the evidence in the cells in which its rays end. A node is a
+ * heading and a square block of translations, with the sum of the bounds of each ray's square as
+ * its own bound; nodes are taken in the order of their bounds and split, so that poses are met in
+ * the order of their scores. The result is that of scoring every pose of the grid: the pose with
+ * the highest score, then the highest that is another optimum (isSameStart()), and so on. */
 class CorrelativeSearch
 {
  public:
@@ -45,7 +45,7 @@ class CorrelativeSearch
                const Pose2& guess_T_ref_cur, const SearchWindow& window, double rangeTolerance_m,
                std::size_t most, std::vector<Hypothesis>& hypotheses);
 
-  /** Reserves the memory of every search, so that none allocates. */
+  /** Reserves the memory that searches usually need. */
   void reserve();
 
  private:

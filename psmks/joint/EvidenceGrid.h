@@ -14,9 +14,9 @@ namespace psmks
  *
  * Level 0 holds the evidence of each cell: that of the outcome (RayOutcome) of a ray that ends in
  * the middle of the cell, where what is within a cell and the tolerance of the ranges of a surface
- * is on it. At level h the value at (i, j) is the highest evidence of the 2^h by 2^h cells from
- * (i, j) on, so that a block of translations of that size has one look-up per ray as its bound
- * (Hess et al., 2016). */
+ * is on it. Beyond the rectangle about the end points of the scan it is 0. At level h the value at
+ * (i, j) is the highest evidence of the 2^h by 2^h cells from (i, j) on, so that a block of
+ * translations of that size has one look-up per ray as its bound (Hess et al., 2016). */
 class EvidenceGrid
 {
  public:
@@ -25,7 +25,7 @@ class EvidenceGrid
   static constexpr int kLevels = 6;
 
   /** Evidence of a ray on a surface; that of the other outcomes is in proportion. Unit: 1 / 24 of
-   * it. Definition: the largest that leaves room for that of a ray in free space in 8 bits. */
+   * it. Definition: the evidence of all outcomes is whole numbers of it, and fits into 8 bits. */
   static constexpr int kOnSurface = 24;
 
   /** Prepares the grid of a scan.

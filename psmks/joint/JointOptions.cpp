@@ -11,10 +11,10 @@ void listSearch(OptionTable& table, JointOptions& o)
             "displacement from the guess that is searched");
   table.add("search_angle_deg", o.searchAngle_rad, Unit::Degree, degToRad(1), degToRad(180),
             "rotation from the guess that is searched, to either side");
-  table.add(
-      "wide_radius_m", o.wideRadius_m, Unit::Metre, 0, 20,
-      "displacement that is searched where more speaks against the best pose nearer to the guess "
-      "than for it, if the guess was not measured; 0: none, nor is a measured one ever given up");
+  table.add("wide_radius_m", o.wideRadius_m, Unit::Metre, 0, 20,
+            "displacement that is searched where the best pose nearer to the guess is doubtful, if "
+            "the guess "
+            "was not measured; 0: none, nor is a measured one ever given up");
   table.add(
       "wide_angle_deg", o.wideAngle_rad, Unit::Degree, 0, degToRad(180),
       "rotation that is searched then, to either side, and where a measured guess is given up");

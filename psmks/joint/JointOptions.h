@@ -18,8 +18,8 @@ struct JointOptions
 {
   // Hypotheses
   double searchRadius_m = 1.3;            //!< of the translation search about the guess
-  double searchAngle_rad = degToRad(60);  //!< of the vote of segment angles about the guess
-  double wideRadius_m = 5;                //!< of the search where nothing nearer explains the scans
+  double searchAngle_rad = degToRad(60);  //!< of the rotation search about the guess
+  double wideRadius_m = 5;                //!< of the search where the best pose is doubtful
   double wideAngle_rad = degToRad(120);
   int votedAngles = 4;           //!< peaks of the vote that are followed
   int refinedHypotheses = 8;     //!< starts that go through Gauss-Newton at most

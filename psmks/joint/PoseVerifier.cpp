@@ -38,8 +38,8 @@ bool PoseVerifier::isBeyondDoubt(const RefinedPose& pose) const
 
 bool PoseVerifier::pairsFewRays(const RefinedPose& pose) const
 {
-  /** A pose that pairs a smaller share of the rays pairs few. Unit: share of the valid rays. Evidence:
-   * measured. */
+  /** A pose that pairs a smaller share of the rays pairs few. Unit: share of the valid rays.
+   * Evidence: measured. */
   constexpr double kFew = 0.35;
   return !match_.pairsMoreThan(kFew, pose);
 }

@@ -62,7 +62,7 @@ bool fitsRound(double increment_rad, int rays) { return increment_rad * (rays - 
 /** Whether the rays are those of a Hokuyo URG, which has 1024 steps a turn. */
 bool isUrg(const CarmenScanner& scanner)
 {
-  constexpr double kStep_rad = 2 * kPi / 1024, kRounding = 1e-5;
+  constexpr double kStep_rad = 2 * kPi / 1024, kRounding = 1e-4;  // six decimals
   return scanner.increment_rad && std::abs(*scanner.increment_rad / kStep_rad - 1) < kRounding;
 }
 

@@ -70,7 +70,7 @@ struct StageTimes
 struct Ambiguity
 {
   /** An optimum and its weight: its probability, if the right pose is among the reported one and
-   * the alternatives. */
+   * the alternatives, none of which counts as likelier than the reported one. */
   struct Alternative
   {
     Pose2 T_ref_cur;

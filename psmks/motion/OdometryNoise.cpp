@@ -24,8 +24,7 @@ void listFields(OptionTable& table, OdometryOptions& o)
             "the same for the heading");
   table.add("acceleration_sigma_m_s2", o.accelerationSigma_m_s2, Unit::None, 0, 1000,
             "without odometry the last motion goes on; its standard deviation is min_sigma_m and "
-            "this times the time since the speed was measured, times the duration of the motion, "
-            "and at most unknown_sigma_m");
+            "this times the square of its duration, at most unknown_sigma_m");
   table.add("acceleration_sigma_deg_s2", o.accelerationSigma_rad_s2, Unit::Degree, 0, degToRad(1e5),
             "the same for the heading");
 }

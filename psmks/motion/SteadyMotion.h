@@ -15,17 +15,14 @@ namespace psmks
  *     scans        x---x---x-------x       x: a period is the usual time between two scans
  *     motion         1   1     2           in periods: stamps jitter more than scanners turn
  *
- * The speed is learnt from motions that scans measured, and its uncertainty grows with the time
- * since then. With this time t, counted to the end of a motion of duration T, the standard
- * deviation of the motion is OdometryOptions::minSigma_m + accelerationSigma_m_s2 t T, and at most
- * unknownSigma_m; that of its heading accordingly. A speed that is older than kLongest_s says
- * nothing: then the robot is taken to stand, with unknownSigma_m and unknownSigma_rad. */
+ * The speed is learnt from the motion to the scan before, if scans measured it. The standard
+ * deviation of a motion of duration T is then OdometryOptions::minSigma_m + accelerationSigma_m_s2
+ * T^2, and at most unknownSigma_m; that of its heading accordingly. Else, and where three
+ * scans are missing or more, nothing is known: the robot is taken to stand, with unknownSigma_m and
+ * unknownSigma_rad. A robot whose scanner has gone blind may have been stopped for it. */
 class SteadyMotion
 {
  public:
-  /** Age of a speed from which on it says nothing of a motion. Unit: s. Evidence: measured. */
-  static constexpr double kLongest_s = 1.0;
-
   explicit SteadyMotion(const OdometryOptions& options) : options_(options) {}
 
   /** The motion until a scan, in the frame of the robot at the scan before. To be called once for
@@ -39,7 +36,7 @@ class SteadyMotion
 
  private:
   std::optional<double> sinceLastScan_s(double stamp_s);
-  double period_s() const;
+  double usualPeriod_s() const;
   UncertainPose unknown(const Pose2& motion) const;
 
   OdometryOptions options_;
@@ -47,7 +44,7 @@ class SteadyMotion
   std::deque<double> durations_s_;  //!< of the last motions
   int periods_ = 1;                 //!< of the last motion
   Pose2 T_per_period_;              //!< the motion that was learnt, in one period
-  bool isLearnt_ = false;
-  double age_s_ = 0;  //!< of the speed, at the last scan
+  bool isGap_ = false;              //!< whether the last motion lasted too long to tell a speed
+  bool isKnown_ = false;            //!< whether it was learnt at the last scan
 };
 }  // namespace psmks

@@ -64,6 +64,8 @@ void dropSilentRays(SegmentedScan& scan)
   const auto firstReturn = std::find(scan.valid.begin(), scan.valid.end(), std::uint8_t{1});
   const int first = static_cast<int>(firstReturn - scan.valid.begin()) % spacing;
   const int count = (scan.rays() - 1 - first) / spacing + 1;
+  const double increment_rad = spacing * scan.grid.increment_rad();
+  if (increment_rad * (count - 0.5) > 2 * kPi) return;  // no grid, see BeamGrid
   for (int kept = 0; kept < count; ++kept)
   {
     const auto from = static_cast<std::size_t>(first + kept * spacing);
@@ -73,7 +75,7 @@ void dropSilentRays(SegmentedScan& scan)
   scan.range_m.resize(static_cast<std::size_t>(count));
   scan.valid.resize(static_cast<std::size_t>(count));
   scan.segmentOfRay.resize(static_cast<std::size_t>(count));
-  scan.grid = BeamGrid(scan.grid.bearing_rad(first), spacing * scan.grid.increment_rad(), count);
+  scan.grid = BeamGrid(scan.grid.bearing_rad(first), increment_rad, count);
 }
 }  // namespace
 
@@ -81,7 +83,7 @@ void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedS
 {
   const auto rays = static_cast<std::size_t>(scan.grid.count());
   result.grid = scan.grid;
-  result.maxRange_m = scan.maxRange_m;
+  result.maxRange_m = upperLimit_m(scan, options);
   result.stamp_s = scan.stamp_s;
   result.rangeNoise = {};
   result.returnSpacing = 1;
@@ -92,7 +94,7 @@ void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedS
   if (scan.range_m.size() != rays) return;
 
   const double lower_m = std::max(kNearest_m, options.minRange_m);
-  const double upper_m = upperLimit_m(scan, options);
+  const double upper_m = result.maxRange_m;
   const double* read_m = scan.range_m.data();
   double* range_m = result.range_m.data();
   std::uint8_t* valid = result.valid.data();

@@ -261,8 +261,11 @@ int usualSpacing(const SegmentedScan& scan, std::vector<int>& spacings)
   for (int ray = 0, before = -1; ray < scan.rays(); ++ray)
   {
     if (!scan.isValid(ray)) continue;
-    if (before >= 0) spacings.push_back(ray - before);
-    beside += ray - before == 1;
+    if (before >= 0)
+    {
+      spacings.push_back(ray - before);
+      beside += ray - before == 1;
+    }
     before = ray;
   }
   if (2 * beside >= spacings.size()) return 1;

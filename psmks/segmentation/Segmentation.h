@@ -30,7 +30,8 @@ struct SegmentationBuffers
  *    Lines that are short, curved or noisy are dropped, and their rays stay single points.
  *
  * Bad data never throw: a scan without a valid ray has no segments. Nothing is allocated once
- * `buffers` and `result` have served a scan of as many rays.
+ * `buffers` and `result` have served a scan of as many rays, but the grid of a scan of which only
+ * every k-th ray returns.
  *
  * @param[out] result the cleaned scan with its segments; what it held is replaced
  * @param scanner what earlier scans of the same scanner have shown; by default every scan's own

@@ -6,6 +6,7 @@
 #include <psmks/segmentation/Segment.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace psmks
@@ -44,8 +45,10 @@ struct SegmentedScan
    * covariances of the segments count it. */
   double raysPerReading = 1;
 
-  /** Range limit and stamp, as in Scan. */
-  double maxRange_m = 0;
+  /** Readings at or beyond it are no returns. */
+  double maxRange_m = std::numeric_limits<double>::infinity();
+
+  /** As in Scan. */
   double stamp_s = 0;
 
   /** The segments, in the order of their first rays. */

@@ -36,9 +36,9 @@ struct LaserOptions
 /** A scan with its true noise and the objects that its rays met. */
 struct SimulatedScan
 {
-  Scan scan;                     //!< range 0 = no return
-  std::vector<double> noise_m;   //!< measured minus true range of each ray, in the direction that it
-                                 //!< took; 0 without return
+  Scan scan;                    //!< range 0 = no return
+  std::vector<double> noise_m;  //!< measured minus true range of each ray, in the direction that it
+                                //!< took; 0 without return
   std::vector<int> objectOfRay;  //!< see Hit::object; Hit::kNothing without return
 };
 

@@ -72,12 +72,14 @@ UncertainPose TrajectoryBuilder::motionBy(const std::optional<Pose2>& odometry, 
   return {*odometry, odometryCovariance(*odometry, odometryOptions_)};
 }
 
-/** The motion to the current scan tells the speed, unless the scans contradict what was expected of
- * it: one match that is wrong would mislead the next. */
+/** The motion to the current scan tells the speed if matches tell where both of its ends are, and
+ * unless the scans contradict what was expected of it: one match that is wrong would mislead the
+ * next. */
 void TrajectoryBuilder::learnSpeed()
 {
+  const bool isPreviousKnown = previous().isMatched() || currentIndex() == 1;
   const MatchResult& result = current().decidingMatch()->result;
-  if (result.guessGivenUp || result.contradictsGuess()) return;
+  if (!isPreviousKnown || result.guessGivenUp || result.contradictsGuess()) return;
   steadyMotion_.learn(current().T_last_robot.pose);
 }
 
@@ -131,7 +133,8 @@ UncertainPose TrajectoryBuilder::matched(const UncertainPose& motion,
   }
 
   const UncertainPose& T_ref_cur = current().decidingMatch()->T_ref_cur;
-  failuresInARow_ = current().isMatched() ? 0 : failuresInARow_ + 1;
+  const bool isBlind = current().decidingMatch()->result.status == MatchStatus::InvalidInput;
+  failuresInARow_ = current().isMatched() ? 0 : failuresInARow_ + (isBlind ? 0 : 1);
   if (current().isMatched())
   {
     current().T_last_robot = motionBetweenMatches(T_ref_last_.pose, T_ref_cur);

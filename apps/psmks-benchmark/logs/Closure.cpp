@@ -100,9 +100,12 @@ std::optional<Pose2> ClosureExperiment::matched(std::size_t reference, std::size
 Scan ClosureExperiment::withNewNoise(const Scan& scan, const SegmentedScan& segmented)
 {
   Scan noisy = scan;
+  noisy.grid = segmented.grid;
+  noisy.range_m = segmented.range_m;
+  noisy.valid = segmented.valid;
   const auto width = static_cast<std::size_t>(std::lround(segmented.raysPerReading));
   const std::vector<double> noise = smoothedNoise(noisy.range_m.size(), width, random_);
-  for (std::size_t ray = 0; ray < noise.size() && ray < segmented.valid.size(); ++ray)
+  for (std::size_t ray = 0; ray < noise.size(); ++ray)
     if (segmented.valid[ray] != 0)
       noisy.range_m[ray] = segmented.denoisedRange_m(static_cast<int>(ray)) +
                            noise[ray] * segmented.rangeNoise.sigmaAt_m(segmented.range_m[ray]);
@@ -116,8 +119,10 @@ double ClosureExperiment::normalizedSquare(const Closure& closure) const
          closure.error.dot(closure.covariance.inverse() * closure.error);
 }
 
-MissingSigma missingSigma(const std::vector<Closure>& closures)
+MissingSigma missingSigma(const std::vector<Closure>& closures, int draws)
 {
+  // The inverse of a sampled covariance is too large on average, by the more, the more coordinates.
+  const double scale_xy = (draws - 1.0) / (draws - 4), scale_phi = (draws - 1.0) / (draws - 3);
   constexpr double kMatches = 3, kLargest_m = 1, kLargest_rad = 1;
   const auto excess_m = [&](double sigma_m)
   {
@@ -126,7 +131,7 @@ MissingSigma missingSigma(const std::vector<Closure>& closures)
     for (const Closure& c : closures)
     {
       const Eigen::Vector2d e = c.error.head<2>();
-      const Eigen::Matrix2d S = c.covariance.topLeftCorner<2, 2>() + added;
+      const Eigen::Matrix2d S = scale_xy * c.covariance.topLeftCorner<2, 2>() + added;
       sum += e.dot(S.inverse() * e) - 2;
     }
     return sum;
@@ -135,8 +140,9 @@ MissingSigma missingSigma(const std::vector<Closure>& closures)
   {
     double sum = 0;
     for (const Closure& c : closures)
-      sum +=
-          c.error.z() * c.error.z() / (c.covariance(2, 2) + kMatches * sigma_rad * sigma_rad) - 1;
+      sum += c.error.z() * c.error.z() /
+                 (scale_phi * c.covariance(2, 2) + kMatches * sigma_rad * sigma_rad) -
+             1;
     return sum;
   };
   return {rootOf(excess_m, kLargest_m), rootOf(excess_rad, kLargest_rad)};

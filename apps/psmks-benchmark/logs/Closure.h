@@ -39,7 +39,7 @@ class ClosureExperiment
   }
 
   /** Fewest draws. Unit: closures. Definition: a covariance of three coordinates has an inverse
-   * with a mean from five on; ten leave it a spread of a factor of two. */
+   * with a mean from six on; ten leave it a spread of a factor of two. */
   static constexpr int kFewestDraws = 10;
 
   /** Closes a triangle.
@@ -70,11 +70,12 @@ class ClosureExperiment
   SegmentedScan scans_[3];  //!< a, b, c
 };
 
-/** A standard deviation of each match, besides the noise, with which errors of closures have the
- * expected mean square; 0 where the noise explains them. */
+/** @param draws of each closure's covariance
+ *  @return a standard deviation of each match, besides the noise, with which errors of closures
+ * have the expected mean square; 0 where the noise explains them. */
 struct MissingSigma
 {
   double sigma_m = 0, sigma_rad = 0;
 };
-MissingSigma missingSigma(const std::vector<Closure>& closures);
+MissingSigma missingSigma(const std::vector<Closure>& closures, int draws);
 }  // namespace psmks

@@ -10,8 +10,7 @@ namespace psmks
 {
 namespace
 {
-/** The motion of the sensor between two scans of a log by its odometry; none where it is unknown.
- */
+/** The motion of the sensor between two scans of a log by its odometry; none counts as no motion. */
 Pose2 odometryBetween(const Log& log, std::size_t from, std::size_t to)
 {
   Pose2 motion;
@@ -30,7 +29,8 @@ std::vector<Table::Column> columns()
           {"missing deg", "missing_deg", 3}};
 }
 
-std::vector<Table::Cell> row(int apart, int leftOut, const std::vector<Closure>& closures,
+std::vector<Table::Cell> row(int apart, int leftOut, int draws,
+                             const std::vector<Closure>& closures,
                              const std::vector<double>& squares)
 {
   std::vector<double> translations_mm, rotations_deg;
@@ -40,7 +40,7 @@ std::vector<Table::Cell> row(int apart, int leftOut, const std::vector<Closure>&
     rotations_deg.push_back(radToDeg(std::abs(closure.error.z())));
   }
   constexpr double kP95 = 0.95;
-  const MissingSigma missing = missingSigma(closures);
+  const MissingSigma missing = missingSigma(closures, draws);
   return {static_cast<double>(apart),
           static_cast<double>(closures.size()),
           static_cast<double>(leftOut),
@@ -93,8 +93,9 @@ Table ClosureCommand::closures(const Log& log, const MatcherOptions& options) co
   {
     ClosureExperiment experiment(options, draws_, seed_);
     const auto leg = static_cast<std::size_t>(apart);
+    const auto most = static_cast<std::size_t>(most_);
     const std::size_t fit = log.scans.size() > 2 * leg ? log.scans.size() - 2 * leg : 0;
-    const std::size_t step = std::max(2 * leg, fit / static_cast<std::size_t>(most_));
+    const std::size_t step = std::max(2 * leg, (fit + most - 1) / most);
     std::vector<Closure> closures;
     std::vector<double> squares;
     int leftOut = 0;
@@ -112,7 +113,7 @@ Table ClosureCommand::closures(const Log& log, const MatcherOptions& options) co
       closures.push_back(*closure);
       squares.push_back(experiment.normalizedSquare(*closure));
     }
-    table.rows.push_back(row(apart, leftOut, closures, squares));
+    table.rows.push_back(row(apart, leftOut, draws_, closures, squares));
   }
   return table;
 }

@@ -148,6 +148,7 @@ TEST_F(CarmenReaderTest, TheTurnOfTheBeamIsThatOfTheScannerByItsStep)
     return frames.empty() ? -1 : frames[0].beamTurn_s;
   };
   EXPECT_DOUBLE_EQ(beamTurn_s("0 0.006135923"), 0.1);
+  EXPECT_DOUBLE_EQ(beamTurn_s("0 0.006136"), 0.1);
   EXPECT_DOUBLE_EQ(beamTurn_s("0 0.00872665"), 1.0 / 75);
   EXPECT_DOUBLE_EQ(beamTurn_s("1 0.00872665"), 1.0 / 25);
   EXPECT_DOUBLE_EQ(beamTurn_s("5 0.00872665"), 0);

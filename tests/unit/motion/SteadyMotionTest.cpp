@@ -75,24 +75,37 @@ TEST(SteadyMotion, AStepOverTwoPeriodsTellsTheSameSpeed)
   expectMotion(motion.untilScan(1.3), kStep, kSigma_m, kSigma_rad);
 }
 
-TEST(SteadyMotion, ASpeedThatIsNotMeasuredAgainGrowsUncertainUpToThatOfAnUnknownMotion)
+// In 0.5 s accelerations change the way by more than is ever assumed.
+TEST(SteadyMotion, AMotionIsNeverLessCertainThanAnUnknownOne)
+{
+  expectMotion(driven().untilScan(1.3), {0.15, 0.03, 0.09}, 0.01 + 2 * 0.09, 0.02 + 4 * 0.09);
+  SteadyMotion slow(options());
+  for (const double stamp_s : {0.0, 0.5, 1.0})
+  {
+    slow.untilScan(stamp_s);
+    slow.learn(kStep);
+  }
+  expectMotion(slow.untilScan(1.5), kStep, 0.3, 0.5);
+}
+
+TEST(SteadyMotion, ARobotWhoseLastMotionWasNotMeasuredIsTakenToStand)
 {
   SteadyMotion motion = driven();
   motion.untilScan(1.1);
-  expectMotion(motion.untilScan(1.2), kStep, 0.01 + 2 * 0.2 * 0.1, 0.02 + 4 * 0.2 * 0.1);
-  SteadyMotion longAgo = driven();
-  longAgo.untilScan(1.9);
-  expectMotion(longAgo.untilScan(2.0), kStep, 0.01 + 2 * 1.0 * 0.1, 0.02 + 4 * 1.0 * 0.1);
-  expectMotion(driven().untilScan(2.0), {0.5, 0.1, 0.3}, 0.3, 0.5);
+  expectMotion(motion.untilScan(1.2), {}, 0.3, 0.5);
+  motion.learn(kStep);
+  expectMotion(motion.untilScan(1.3), kStep, kSigma_m, kSigma_rad);
 }
 
-TEST(SteadyMotion, ARobotOfWhichNothingWasHeardForLongIsTakenToStand)
+TEST(SteadyMotion, AfterALongGapTheRobotIsTakenToStandAndTheMotionTellsNoSpeed)
 {
-  SteadyMotion motion = driven();
-  for (int scan = 11; scan <= 21; ++scan) motion.untilScan(0.1 * scan);
-  expectMotion(motion.untilScan(2.2), {}, 0.3, 0.5);
-  motion.learn(kStep);
-  expectMotion(motion.untilScan(2.3), kStep, kSigma_m, kSigma_rad);
+  for (const double gap_s : {0.4, 60.0, 1e10})
+  {
+    SteadyMotion motion = driven();
+    expectMotion(motion.untilScan(1 + gap_s), {}, 0.3, 0.5);
+    motion.learn({5, 0, 0});
+    expectMotion(motion.untilScan(1.1 + gap_s), {}, 0.3, 0.5);
+  }
 }
 
 TEST(SteadyMotion, WithoutATimeTheLastMotionIsRepeated)
