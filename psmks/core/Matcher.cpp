@@ -80,11 +80,14 @@ MatchResult Matcher::match(const SegmentedScan& reference, const SegmentedScan& 
 {
   const bool usable = isUsable(guess) && reference.hasValidRay() && current.hasValidRay();
   if (!usable) return invalidInput(guess);
-  if (options_.scheme == Scheme::Paper)
-    return matchByPaperScheme(reference, current, guess, options_.paper, externalSolvers_.get(),
-                              workspace.buffers_->paper, trace);
-  return matchByJointScheme(reference, current, guess, scope, options_.joint,
-                            externalSolvers_.get(), workspace.buffers_->joint, trace);
+  MatchResult result =
+      options_.scheme == Scheme::Paper
+          ? matchByPaperScheme(reference, current, guess, options_.paper, externalSolvers_.get(),
+                               workspace.buffers_->paper, trace)
+          : matchByJointScheme(reference, current, guess, scope, options_.joint,
+                               externalSolvers_.get(), workspace.buffers_->joint, trace);
+  addWholeScanErrors(options_.wholeScan, result);
+  return result;
 }
 
 MatchResult Matcher::match(const Scan& reference, const Scan& current, const Guess& guess,

@@ -64,6 +64,7 @@ OptionTable optionTable(MatcherOptions& options)
   listFields(table, options.segmentation);
   listFields(table, options.paper);
   listFields(table, options.joint);
+  listFields(table, options.wholeScan);
   return table;
 }
 }  // namespace psmks

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <psmks/base/OptionTable.h>
+#include <psmks/core/WholeScanErrors.h>
 #include <psmks/joint/JointOptions.h>
 #include <psmks/paper/PaperOptions.h>
 #include <psmks/segmentation/SegmentationOptions.h>
@@ -24,6 +25,7 @@ struct MatcherOptions
   SegmentationOptions segmentation;
   PaperOptions paper;
   JointOptions joint;
+  WholeScanOptions wholeScan;
 
   /** Chooses the paper's scheme, its line filter, and segments as short as suit a scheme that
    *  matches nothing else. */
@@ -40,6 +42,7 @@ struct MatcherOptions
   static MatcherOptions paperScheme();
 };
 
-/** All sections, in the order of the stages: matcher, preprocessing, segmentation, paper, joint. */
+/** All sections, in the order of the stages: matcher, preprocessing, segmentation, paper, joint,
+ * whole_scan. */
 OptionTable optionTable(MatcherOptions& options);
 }  // namespace psmks

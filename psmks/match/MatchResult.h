@@ -95,7 +95,8 @@ struct MatchResult
   /** Covariance of (x, y, phi) in the axes of the reference frame: m^2, m rad, rad^2. Positive
    *  definite. It is (P_guess^-1 + H)^-1, H the information of the scans at the pose and P_guess
    *  the covariance of the guess, or unknownCovariance() where it has none or was given up; the
-   *  fields below say what they change of it. */
+   *  fields below say what they change of it. Errors of whole scans that the options state are
+   *  added to all of that (WholeScanErrors.h). */
   Eigen::Matrix3d covariance = unknownCovariance();
 
   /** Lack of constraint, as along a bare corridor: unit vector u in the axes of the reference frame

@@ -104,6 +104,22 @@ TEST(DepthEdges, AWallThatIsGrazedHasNone)
   EXPECT_TRUE(edgesOf(halfCircleOf(range_m)).empty());
 }
 
+// A wall beside the scanner, seen up to the limit of the range: it goes on beyond.
+TEST(DepthEdges, AWallThatLeavesTheRangeHasNone)
+{
+  constexpr double kLimit_m = 4;
+  std::vector<double> range_m;
+  for (int ray = 0; ray < 200; ++ray)
+  {
+    const double r_m = 1 / std::sin(degToRad(90 - 0.4 * ray));
+    range_m.push_back(r_m < kLimit_m ? r_m : 0);
+  }
+  SegmentedScan scan = scanOf(range_m, BeamGrid(-kPi / 2, degToRad(0.4), 200));
+  EXPECT_EQ(edgesOf(scan).size(), 1U) << "without a limit it ends";
+  scan.maxRange_m = kLimit_m;
+  EXPECT_TRUE(edgesOf(scan).empty());
+}
+
 // Every fifth ray of a wall is lost: three rays in a row without a return are no end of it.
 TEST(DepthEdges, LostRaysAreNoEnds)
 {
