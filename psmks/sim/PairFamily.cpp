@@ -156,7 +156,7 @@ void addRayCounts(std::vector<PairFamily>& families)
       office("rays1081", "1081 rays over 270 degrees (Hokuyo UTM-30LX)", scanner(270, 1081, 30)));
 }
 
-/** Adds families with the scanners of config/sensors and the noise that these files state. */
+/** Adds families with the scanners of config/sensors and the noise that their data sheets state. */
 void addScanners(std::vector<PairFamily>& families)
 {
   const auto noisy = [](LaserOptions laser, const RangeNoise& noise)

@@ -178,7 +178,7 @@ TEST(SensorFiles, HoldWhatTheirTableSays)
                                          {"sick-tim5xx", 0.05, 10, 0.02, 0, 0.0666667},
                                          {"hokuyo-urg-04lx", 0.06, 5.6, 0.008, 0.003, 0.1},
                                          {"hokuyo-utm-30lx", 0.1, 30, 0.01, 0.001, 0.025},
-                                         {"slamtec-rplidar-a", 0.15, 12, 0.005, 0.01, 0.1}};
+                                         {"slamtec-rplidar-a", 0.15, 12, 0.008, 0.002, 0.1}};
   for (const Scanner& scanner : scanners)
   {
     const ScanMatcherOptions all = loaded("config/sensors/" + scanner.file + ".ini");
