@@ -60,10 +60,10 @@ class SenaLog : public testing::TestWithParam<SenaFigures>
 };
 
 INSTANTIATE_TEST_SUITE_P(Golden, SenaLog,
-                         testing::Values(SenaFigures{"Map", ReferenceChoice::Map, 8019},
-                                         SenaFigures{"Keyframe", ReferenceChoice::Keyframe, 8477},
+                         testing::Values(SenaFigures{"Map", ReferenceChoice::Map, 7893},
+                                         SenaFigures{"Keyframe", ReferenceChoice::Keyframe, 8522},
                                          SenaFigures{"Sequential", ReferenceChoice::Sequential,
-                                                     10224}),
+                                                     10032}),
                          [](const auto& figures) -> std::string { return figures.param.name; });
 }  // namespace
 
