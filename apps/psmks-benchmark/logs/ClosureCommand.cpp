@@ -10,7 +10,8 @@ namespace psmks
 {
 namespace
 {
-/** The motion of the sensor between two scans of a log by its odometry; none counts as no motion. */
+/** The motion of the sensor between two scans of a log by its odometry; none counts as no motion.
+ */
 Pose2 odometryBetween(const Log& log, std::size_t from, std::size_t to)
 {
   Pose2 motion;
