@@ -14,15 +14,11 @@ namespace
 constexpr const char* kMagic = "PSMPAIRS";
 constexpr int kVersion = 1;
 
-/** Significant digits of the numbers that are written. They preserve poses and ranges that were
- * read from text. */
-constexpr int kDigits = 12;
-
+/** Appends the shortest text that reads back as the same number. */
 void appendNumber(std::string& text, double value)
 {
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                 std::chars_format::general, kDigits);
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   text += ' ';
   text.append(buffer.data(), end.ptr);
 }
