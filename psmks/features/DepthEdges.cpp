@@ -77,8 +77,12 @@ class EdgeFinder
               static_cast<int>(std::abs(range_m[ray] - range_m[ray + 2]) <= kSeenPast_m);
     }
     lostShare_ = lost < pairs ? static_cast<double>(lost) / pairs : kMostLost;
-    for (double probability = lostShare_; probability > kFault; probability *= lostShare_)
+    double probability = lostShare_;  // of as many faults in a row
+    while (probability > kFault)
+    {
+      probability *= lostShare_;
       ++shortestVoid_;
+    }
   }
 
   /** Adds the edges between two rays side by side. */

@@ -67,7 +67,7 @@ const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
 /** The measured motion, or the last one going on, with its covariance. */
 UncertainPose TrajectoryBuilder::motionBy(const std::optional<Pose2>& odometry, double stamp_s)
 {
-  const UncertainPose steady = steadyMotion_.untilScan(stamp_s);
+  UncertainPose steady = steadyMotion_.untilScan(stamp_s);
   if (!odometry) return steady;
   return {*odometry, odometryCovariance(*odometry, odometryOptions_)};
 }
