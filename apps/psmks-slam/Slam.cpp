@@ -5,6 +5,7 @@
 #include <apps/support/LogScan.h>
 #include <apps/support/Overwriting.h>
 #include <apps/support/Progress.h>
+#include <psmks/segmentation/Preprocessing.h>
 
 #include <algorithm>
 #include <iostream>

@@ -1,7 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/LogScan.h>
 #include <psmks/mrpt/MountedScan.h>
-#include <psmks/segmentation/Preprocessing.h>
 
 #include <utility>
 
@@ -13,13 +12,6 @@ LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter,
   MountedScan mounted = toMountedScan(*frame.scan, converter, options, frame.beamTurn_s);
   mounted.scan.stamp_s = frame.stamp_s;
   return {std::move(mounted.scan), mounted.T_robot_sensor, frame.odometry};
-}
-
-bool hasReturns(const Scan& scan)
-{
-  SegmentedScan cleaned;
-  cleanScan(scan, PreprocessingOptions(), cleaned);
-  return cleaned.hasValidRay();
 }
 
 std::string quotedSensors(const LogReader& reader)

@@ -25,9 +25,6 @@ struct LogScan
 LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter,
                   const ScanMatcherOptions& options);
 
-/** Whether a ray of the scan has a return. */
-bool hasReturns(const Scan& scan);
-
 /** The scanners of the log so far, for people: "'FRONT' (12 scans), 'REAR' (3 scans)". */
 std::string quotedSensors(const LogReader& reader);
 }  // namespace psmks

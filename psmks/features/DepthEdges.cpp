@@ -9,15 +9,17 @@ namespace psmks
 {
 namespace
 {
-/** How much farther the scanner has to see past the end of an object. Evidence: measured. */
+/** How much farther than the end of an object the scanner has to see past it. Evidence: measured.
+ */
 constexpr double kSeenPast_m = 0.15;
 
-/** The same in standard deviations of a range, whichever is more: noise makes no ends. Unit:
- * standard deviations. Evidence: measured. */
+/** How much farther it has to see in a noisy scan, where that is more, so that noise makes no ends.
+ * Unit: standard deviations of a range. Evidence: measured. */
 constexpr double kSeenPastSigmas = 4;
 
-/** By how many steps of the object's own range the scanner has to see farther, too: rays that graze
- * a wall are farther apart from one to the next. Unit: steps. Evidence: measured. */
+/** How much farther it has to see, in addition, where neighbouring ranges on the object differ:
+ * those of rays that graze a wall grow from ray to ray. Unit: differences of the outermost two
+ * ranges. Evidence: measured. */
 constexpr double kOwnSteps = 3;
 
 /** Standard deviation of how far apart two scanners at different places see the end of a rounded or

@@ -17,9 +17,8 @@ namespace psmks
  *       \ |   |   | /           object and the rays that pass it
  *          scanner
  *
- * A wall that leaves the range of the scanner has no edge at the limit, nor has a wall that ends
- * behind an object: where it is hidden changes with the place of
- * the scanner in both cases. */
+ * A wall has no edge where it leaves the range of the scanner, nor where an object hides it, for
+ * both places change with that of the scanner. */
 struct DepthEdge
 {
   Eigen::Vector2d point_m;   //!< the end of the object, sensor frame

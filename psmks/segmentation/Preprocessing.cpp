@@ -108,6 +108,13 @@ void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedS
   dropSilentRays(result);
 }
 
+bool hasReturns(const Scan& scan)
+{
+  SegmentedScan cleaned;
+  cleanScan(scan, PreprocessingOptions(), cleaned);
+  return cleaned.hasValidRay();
+}
+
 void medianFilter(int window, std::vector<double>& scratch, SegmentedScan& scan)
 {
   const int half = window / 2;

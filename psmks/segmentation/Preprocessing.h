@@ -20,6 +20,9 @@ namespace psmks
  *  @param[out] result invalid rays get range 0; segments and noise are left empty */
 void cleanScan(const Scan& scan, const PreprocessingOptions& options, SegmentedScan& result);
 
+/** Whether a scan has a ray that is valid by the default options. */
+bool hasReturns(const Scan& scan);
+
 /** Replaces each valid range by the median of the valid ranges in a window of rays around it
  * (paper, section 1, step 1 of the original method).
  *

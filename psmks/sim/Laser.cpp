@@ -126,6 +126,7 @@ SimulatedScan castScan(const Surroundings& surroundings, const SensorMotion& T_w
   const int rays = laser.grid.count();
   const double betweenRays_s = rays > 1 ? laser.sweepDuration_s / (rays - 1) : 0;
   const SharedErrors shared(laser, random);
+  simulated.bearingOffset_rad = shared.bearing_rad;
   UnitNoise unitNoise(laser.smoothedRays, random);
   for (int ray = 0; ray < rays; ++ray)
   {

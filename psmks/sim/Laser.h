@@ -40,6 +40,7 @@ struct SimulatedScan
   std::vector<double> noise_m;  //!< measured minus true range of each ray, in the direction that it
                                 //!< took; 0 without return
   std::vector<int> objectOfRay;  //!< see Hit::object; Hit::kNothing without return
+  double bearingOffset_rad = 0;  //!< of the directions that the rays took from their bearings
 };
 
 /** The pose of the sensor at a time after the first ray. */

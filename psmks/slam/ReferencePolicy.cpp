@@ -130,8 +130,7 @@ bool ReferencePolicy::isBetter(const MatchResult& toLast, const MatchResult& toR
 bool ReferencePolicy::replacesReference(const MatchResult& match, const Pose2& T_ref_cur,
                                         int failuresInARow) const
 {
-  const bool isBlind = match.status == MatchStatus::InvalidInput;
-  if (!match.usable()) return !isBlind && failuresInARow >= options_.maxFailures;
+  if (!match.usable()) return failuresInARow >= options_.maxFailures;
   return options_.choice == ReferenceChoice::Sequential ? isTriggered(T_ref_cur)
                                                         : isKeyframeLeft(match, T_ref_cur);
 }

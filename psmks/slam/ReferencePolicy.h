@@ -97,12 +97,10 @@ class ReferencePolicy
    * the way to the reference: converged, and with 5 % more of the rays explained. */
   bool isBetter(const MatchResult& toLast, const MatchResult& toReference) const;
 
-  /** Without a map, or where the match failed: whether the scan becomes the reference. A scan in
-   *  which nothing was seen never does.
+  /** Without a map, or where the match failed: whether the scan becomes the reference.
    *  @param match the one that decides where the scan is
    *  @param T_ref_cur the pose of the scan
-   *  @param failuresInARow scans in a row that failed against this reference, this one included;
-   *  those in which nothing was seen do not count */
+   *  @param failuresInARow scans in a row that failed against this reference, this one included */
   bool replacesReference(const MatchResult& match, const Pose2& T_ref_cur,
                          int failuresInARow) const;
 

@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/segmentation/Preprocessing.h>
 #include <psmks/slam/ConsistentLinks.h>
 #include <psmks/slam/TrajectoryBuilder.h>
 
@@ -126,15 +127,18 @@ UncertainPose TrajectoryBuilder::matched(const UncertainPose& motion,
                                          const UncertainPose& T_ref_predicted)
 {
   current().decideBy(matcher_.match(scans_, reference_, currentIndex(), T_ref_predicted));
-  if (policy_.needsRetry(current().decidingMatch()->result))
+  const bool isBlind = !current().isMatched() && !hasReturns(current().scan);
+  if (!isBlind && policy_.needsRetry(current().decidingMatch()->result))
   {
     retryWithPrevious(motion);
     if (!current().isMatched()) retryWithWidePrior(motion);
   }
 
   const UncertainPose& T_ref_cur = current().decidingMatch()->T_ref_cur;
-  const bool isBlind = current().decidingMatch()->result.status == MatchStatus::InvalidInput;
-  failuresInARow_ = current().isMatched() ? 0 : failuresInARow_ + (isBlind ? 0 : 1);
+  if (current().isMatched())
+    failuresInARow_ = 0;
+  else if (!isBlind)
+    ++failuresInARow_;
   if (current().isMatched())
   {
     current().T_last_robot = motionBetweenMatches(T_ref_last_.pose, T_ref_cur);

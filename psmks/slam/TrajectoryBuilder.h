@@ -31,7 +31,8 @@ namespace psmks
  *    fails or explains little, the scan before serves as a second reference, unless it is the
  *    reference of other scans already or was not matched itself. Where no match is usable then, the
  *    last try is against the reference once more, the prior widened by the covariance of a motion
- *    that nobody measured.
+ *    that nobody measured. A scan in which nothing was seen fails once, and does not count as a
+ *    failure of the reference.
  * 4. Place: the match places the scan, or where all failed the prediction.
  * 5. Replace the reference by the scan, if ReferencePolicy says so. A keyframe is matched against
  *    the keyframes around it, and the matches link it into a graph of poses (KeyframeMap).
@@ -102,6 +103,7 @@ class TrajectoryBuilder
   UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the robot at the reference: by
                               //!< a match, by the motion since then, or by the poses of the map
   Evidence evidence_;         //!< about the last scan, for its link where it becomes a keyframe
-  int failuresInARow_ = 0;    //!< of the scans since the reference was made one
+  int failuresInARow_ = 0;    //!< of scans that saw something, since the reference
+                              //!< was made one
 };
 }  // namespace psmks

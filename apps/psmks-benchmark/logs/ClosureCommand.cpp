@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/psmks-benchmark/logs/Closure.h>
 #include <apps/psmks-benchmark/logs/ClosureCommand.h>
 #include <apps/support/Progress.h>
+#include <psmks/eval/Closure.h>
 #include <psmks/eval/Statistics.h>
 
 #include <algorithm>

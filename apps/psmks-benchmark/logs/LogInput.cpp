@@ -2,6 +2,7 @@
 #include <apps/psmks-benchmark/logs/LogInput.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/GroundTruth.h>
+#include <psmks/segmentation/Preprocessing.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/logs/SelfmatchCommand.h>
+#include <psmks/segmentation/Preprocessing.h>
 
 namespace psmks
 {

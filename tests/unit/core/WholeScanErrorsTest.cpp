@@ -14,21 +14,25 @@ MatchResult matched()
   result.covariance = Eigen::Vector3d(1e-6, 2e-6, 3e-8).asDiagonal();
   return result;
 }
+
+/** What the errors add to the covariance of the match. */
+Eigen::Matrix3d addedBy(const WholeScanOptions& options)
+{
+  MatchResult result = matched();
+  addWholeScanErrors(options, result);
+  return result.covariance - matched().covariance;
+}
 }  // namespace
 
 TEST(WholeScanErrors, AreNoneByDefault)
 {
-  MatchResult result = matched();
-  addWholeScanErrors({}, result);
-  EXPECT_EQ(result.covariance, matched().covariance);
+  EXPECT_EQ(addedBy({}), Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
 }
 
 // Both scans err in place: twice the variance, whatever the heading between them.
 TEST(WholeScanErrors, OfThePlaceAddUp)
 {
-  MatchResult result = matched();
-  addWholeScanErrors({0.002, 0}, result);
-  const Eigen::Matrix3d added = result.covariance - matched().covariance;
+  const Eigen::Matrix3d added = addedBy({0.002, 0});
   EXPECT_NEAR(added(0, 0), 2 * 4e-6, 1e-12);
   EXPECT_NEAR(added(1, 1), 2 * 4e-6, 1e-12);
   EXPECT_NEAR(added(2, 2), 0, 1e-15);
@@ -38,9 +42,7 @@ TEST(WholeScanErrors, OfThePlaceAddUp)
 // does not.
 TEST(WholeScanErrors, OfTheHeadingOfTheReferenceSwingTheCurrentScan)
 {
-  MatchResult result = matched();
-  addWholeScanErrors({0, 0.01}, result);
-  const Eigen::Matrix3d added = result.covariance - matched().covariance;
+  const Eigen::Matrix3d added = addedBy({0, 0.01});
   EXPECT_NEAR(added(0, 0), 16 * 1e-4, 1e-12);
   EXPECT_NEAR(added(1, 1), 9 * 1e-4, 1e-12);
   EXPECT_NEAR(added(0, 1), -12 * 1e-4, 1e-12);

@@ -96,6 +96,31 @@ TEST(Preprocessing, AClosedScanStaysClosed)
   EXPECT_EQ(cleaned(scan).rays(), 29) << "no multiple of 3: across the seam two are beside";
 }
 
+// Every 7th of 359 rays of a degree returns: 52 of them at 7 degrees would exceed the circle.
+TEST(Preprocessing, AnOpenScanThatIsNearlyClosedKeepsItsRaysWhereFewerFitNoGrid)
+{
+  Scan scan = scanOf(std::vector<double>(359, 0));
+  scan.grid = BeamGrid(-degToRad(179), degToRad(1), 359);
+  for (std::size_t ray = 1; ray < 359; ray += 7) scan.range_m[ray] = 2;
+  EXPECT_EQ(cleaned(scan).rays(), 359);
+}
+
+TEST(Preprocessing, AScanHasReturnsWhereARayIsValid)
+{
+  EXPECT_TRUE(hasReturns(scanOf({0, kNan, 3})));
+  EXPECT_FALSE(hasReturns(scanOf({0, kNan, 11})));
+  EXPECT_FALSE(hasReturns(Scan()));
+}
+
+TEST(Preprocessing, TheLimitOfTheRangeIsTheScansOrTheOptions)
+{
+  Scan scan = scanOf({1, 2});
+  PreprocessingOptions options;
+  EXPECT_EQ(cleaned(scan, options).maxRange_m, 10);
+  options.maxRange_m = 5;
+  EXPECT_EQ(cleaned(scan, options).maxRange_m, 5);
+}
+
 TEST(Preprocessing, TheOptionsNarrowTheRange)
 {
   PreprocessingOptions options;

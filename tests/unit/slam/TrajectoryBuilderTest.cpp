@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace psmks
 {
@@ -28,6 +29,9 @@ class Oracle : public PairMatcher
   /** Stamp of a scan that it fails for unless the guess is as uncertain as this. */
   std::map<double, double> needsSigma_m;
 
+  /** Stamps of scans in which nothing was seen, and of scans that contradict their guess. */
+  std::set<double> blind, contradicts;
+
   std::string name() const override { return "oracle"; }
   MatchResult match(const Scan& reference, const Scan& current, const Guess& guess) override
   {
@@ -39,6 +43,14 @@ class Oracle : public PairMatcher
     const bool failed =
         tooSure || (failure != fails.end() &&
                     (failure->second == kAlways || failure->second == reference.stamp_s));
+    if (blind.count(current.stamp_s) > 0)
+    {
+      result.status = MatchStatus::InvalidInput;
+      result.T_ref_cur = guess.T_ref_cur;
+      result.covariance = *guess.covariance;
+      return result;
+    }
+    result.guessGivenUp = contradicts.count(current.stamp_s) > 0;
     result.status = failed ? MatchStatus::NoImprovement : MatchStatus::Converged;
     result.T_ref_cur = failed ? guess.T_ref_cur
                               : T_world_sensor.at(reference.stamp_s).inverse() *
@@ -96,6 +108,8 @@ class TrajectoryBuilderTest : public testing::Test
     {
       Scan scan;
       scan.stamp_s = i;
+      scan.grid = BeamGrid::centered(kPi, 3);
+      scan.range_m.assign(3, tellsOf.blind.count(i) > 0 ? 0 : 1);
       builder.add(scan, T_robot_sensor_,
                   odometry && i > 0 ? std::optional(measuredStep_) : std::nullopt);
     }
@@ -231,6 +245,30 @@ TEST_F(TrajectoryBuilderTest, WithoutOdometryTheLastMotionIsAssumedAgain)
   const auto scans = build(4, {{3, Oracle::kAlways}}, {}, false);
   EXPECT_TRUE(isNearly(scans[3].T_world_robot.pose, truth(3), 1e-9, 1e-9));
   EXPECT_GT(scans[3].T_world_robot.covariance(0, 0), 0.05);
+}
+
+TEST_F(TrajectoryBuilderTest, WithoutOdometryABlindRobotIsTakenToStandAndItsReferenceStays)
+{
+  Oracle oracle;
+  for (int stamp = 3; stamp <= 12; ++stamp) oracle.blind.insert(stamp);
+  const auto scans = buildBy(oracle, 14, sequential(), false);
+  EXPECT_TRUE(isNearly(scans[12].T_world_robot.pose, truth(3), 1e-9, 1e-9))
+      << "it goes on for the first of ten scans";
+  EXPECT_EQ(scans[12].matches.size(), 1u);
+  EXPECT_EQ(scans[13].decidingMatch()->reference, 0u);
+  EXPECT_TRUE(isNearly(scans[13].T_world_robot.pose, truth(13), 1e-9, 1e-9));
+}
+
+// The motion to scan 3 is measured, but it contradicts what was expected: scan 4, which fails, is
+// not placed by it.
+TEST_F(TrajectoryBuilderTest, AMatchThatContradictsItsGuessTellsNoSpeed)
+{
+  Oracle oracle;
+  oracle.contradicts.insert(3);
+  oracle.fails[4] = Oracle::kAlways;
+  const auto scans = buildBy(oracle, 5, sequential(), false);
+  EXPECT_TRUE(isNearly(scans[3].T_world_robot.pose, truth(3), 1e-9, 1e-9));
+  EXPECT_TRUE(isNearly(scans[4].T_world_robot.pose, truth(3), 1e-9, 1e-9));
 }
 
 // ---- map ---------------------------------------------------------------------------------------

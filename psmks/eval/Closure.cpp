@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/psmks-benchmark/logs/Closure.h>
+#include <psmks/eval/Closure.h>
 
 #include <Eigen/LU>
 #include <cmath>
