@@ -84,10 +84,10 @@ struct JointMatch
     return std::max(options.unobservableSigma_m, weakDirectionSigma_m());
   }
 
-  /** Whether a pose associates more than this share of the current scan's valid rays. */
+  /** Whether a pose associates more than this share of the current scan's rays, returns or not. */
   bool pairsMoreThan(double share, const RefinedPose& pose) const
   {
-    return pose.associations > share * buffers.current.scan->validRays();
+    return pose.associations > share * buffers.current.scan->rays();
   }
 
  private:

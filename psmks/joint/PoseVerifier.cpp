@@ -38,7 +38,7 @@ bool PoseVerifier::isBeyondDoubt(const RefinedPose& pose) const
 
 bool PoseVerifier::pairsFewRays(const RefinedPose& pose) const
 {
-  /** A pose that pairs a smaller share of the rays pairs few. Unit: share of the valid rays.
+  /** A pose that pairs a smaller share of the rays pairs few. Unit: share of the rays.
    * Evidence: measured. */
   constexpr double kFew = 0.35;
   return !match_.pairsMoreThan(kFew, pose);
