@@ -133,6 +133,30 @@ TEST_F(PoseVerifierTest, DoubtfulIsAPoseThatMoreSpeaksAgainstThanForHoweverManyP
   EXPECT_FALSE(verifier.isDoubtful(withScore(good_, 0.5 + kALittle)));
 }
 
+//   |  \ | /  |     beyond the middle of the walls the scanner sees nothing: 30 pairs are most of
+//   the |   \|/   |     returns, but few rays, and another wall may look like that
+TEST_F(PoseVerifierTest, PairsOfAScanWithFewReturnsAreFewAllTheSame)
+{
+  constexpr double kMaxRange_m = 3.3;  // the walls are 3 m away
+  JointScene shortSighted(squareRoom(), {}, BeamGrid::centered(2 * kPi, kRays), kMaxRange_m);
+  const JointMatch match = shortSighted.match();
+  const int returns = match.buffers.current.scan->validRays();
+  ASSERT_GT(returns, 35);
+  ASSERT_LT(returns, 70);
+  const PoseVerifier verifier(match);
+  const auto pairs = [&](int associations)
+  {
+    return with(good_,
+                [&](RefinedPose& p)
+                {
+                  p.associations = associations;
+                  p.inlierRays = associations;
+                });
+  };
+  EXPECT_FALSE(verifier.isBeyondDoubt(pairs(35)));
+  EXPECT_TRUE(verifier.isBeyondDoubt(pairs(36)));
+}
+
 TEST_F(PoseVerifierTest, BeyondDoubtIsWhatManyRaysAndManyPairsExplain)
 {
   const JointMatch match = scene_.match();
