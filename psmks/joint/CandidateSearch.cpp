@@ -95,27 +95,45 @@ void CandidateSearch::searchDespiteGuess()
 
 void CandidateSearch::search(const SearchWindow& window, std::size_t mostStarts)
 {
+  proposeOptima(window, mostStarts);
+  for (const Hypothesis& optimum : match_.buffers.hypotheses)
+    if (!verifier_.isConvincing(best_)) refineAndKeep(optimum.T_ref_cur);
+}
+
+/** Fills the buffer of hypotheses with the optima of CorrelativeSearch. */
+void CandidateSearch::proposeOptima(const SearchWindow& window, std::size_t mostStarts)
+{
   Stopwatch watch;
   JointBuffers& buffers = match_.buffers;
   buffers.correlativeSearch.propose(buffers.reference, buffers.current, match_.guess.T_ref_cur,
                                     window, match_.scores.tolerance_m(), mostStarts,
                                     buffers.hypotheses);
   match_.result.times.search_s += watch.lap_s();
-  for (const Hypothesis& optimum : buffers.hypotheses)
-    if (!verifier_.isConvincing(best_)) refineAndKeep(optimum.T_ref_cur);
 }
 
-SearchWindow CandidateSearch::nearWindow() const
+void CandidateSearch::searchWithinCovariance()
+{
+  refineAndKeep(match_.guess.T_ref_cur);
+  proposeOptima(match_.guess.covariance ? windowOfCovariance() : nearWindow(), farStarts());
+  for (const Hypothesis& optimum : match_.buffers.hypotheses) refineAndKeep(optimum.T_ref_cur);
+}
+
+/** The window that a measured guess leaves open. */
+SearchWindow CandidateSearch::windowOfCovariance() const
 {
   /** Size of the window about a measured guess. Unit: standard deviations. Evidence: 99.7 % of
    * normal errors. */
   constexpr double kSigmas = 3;
-  const JointOptions& options = match_.options;
-  const SearchWindow widest{options.searchRadius_m, options.searchAngle_rad};
-  if (!match_.prior()) return widest;
   const Eigen::Matrix3d& C = *match_.guess.covariance;
-  return {std::min(widest.radius_m, kSigmas * std::sqrt(std::max(C(0, 0), C(1, 1)))),
-          std::min(widest.angle_rad, kSigmas * std::sqrt(C(2, 2)))};
+  return {kSigmas * std::sqrt(std::max(C(0, 0), C(1, 1))), kSigmas * std::sqrt(C(2, 2))};
+}
+
+SearchWindow CandidateSearch::nearWindow() const
+{
+  const SearchWindow widest{match_.options.searchRadius_m, match_.options.searchAngle_rad};
+  if (!match_.prior()) return widest;
+  const SearchWindow open = windowOfCovariance();
+  return {std::min(widest.radius_m, open.radius_m), std::min(widest.angle_rad, open.angle_rad)};
 }
 
 SearchWindow CandidateSearch::wideWindow() const

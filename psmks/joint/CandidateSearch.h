@@ -44,6 +44,10 @@ class CandidateSearch
    *  from then on the match goes on as without a covariance. */
   void searchWide();
 
+  /** Refines the guess and all optima of CorrelativeSearch within three standard deviations of it.
+   *  Without a covariance that is the window of searchNear(). */
+  void searchWithinCovariance();
+
   /** The refined pose with the highest posterior; its score is -1 where no start was associated
    * well enough. */
   const RefinedPose& best() const { return best_; }
@@ -54,7 +58,9 @@ class CandidateSearch
  private:
   void keepIfBest(const RefinedPose& candidate);
   void search(const SearchWindow& window, std::size_t mostStarts);
+  void proposeOptima(const SearchWindow& window, std::size_t mostStarts);
   void searchDespiteGuess();
+  SearchWindow windowOfCovariance() const;
   SearchWindow nearWindow() const;
   SearchWindow wideWindow() const;
   std::size_t nearStarts() const;

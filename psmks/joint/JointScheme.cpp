@@ -39,10 +39,15 @@ MatchResult matchByJointScheme(const SegmentedScan& reference, const SegmentedSc
   const bool searchesWide = options.wideRadius_m > 0 && scope == SearchScope::Full;
   search.reserve();
 
-  tryGuess(match, search);
-  if (!verifier.isConvincing(best)) search.followVotes();
-  if (!verifier.isConvincing(best)) search.searchNear();
-  if (searchesWide && verifier.isDoubtful(best)) search.searchWide();
+  if (scope == SearchScope::WithinCovariance)
+    search.searchWithinCovariance();
+  else
+  {
+    tryGuess(match, search);
+    if (!verifier.isConvincing(best)) search.followVotes();
+    if (!verifier.isConvincing(best)) search.searchNear();
+    if (searchesWide && verifier.isDoubtful(best)) search.searchWide();
+  }
   JointConclusion(match, verifier, refinement, best).conclude(search.mostAssociations());
   return match.result;
 }

@@ -16,6 +16,12 @@ enum class SearchScope
    *  wrong, such as those of keyframes that may show the same place. The joint scheme still looks
    *  for poses that lines vote for within JointOptions::searchRadius_m and searchAngle_rad, and
    *  along walls that leave the place of a guess without covariance open. */
-  NearGuess
+  NearGuess,
+
+  /** The whole window that the covariance of the guess leaves open, to three standard deviations,
+   *  however wide, and nothing beyond: for a guess that may be far off and whose covariance says by
+   *  how much, such as that of a loop. All optima of the window are refined, none ends the search,
+   *  so that places that look alike come out as MatchResult::ambiguity. */
+  WithinCovariance
 };
 }  // namespace psmks

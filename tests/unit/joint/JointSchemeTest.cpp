@@ -6,6 +6,7 @@
 #include <tests/unit/joint/JointScene.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace psmks
 {
@@ -56,6 +57,46 @@ TEST_F(JointSchemeFarFromTheGuess, AWideRadiusOfZeroSwitchesTheWideSearchOff)
   JointOptions narrow = options_;
   narrow.wideRadius_m = 0;
   EXPECT_FALSE(triesTheTruth(narrow, SearchScope::Full));
+}
+
+// The guess is 7 m and 100 degrees off, which its covariance bears.
+TEST(JointScheme, SearchesAsFarAsTheCovarianceOfTheGuessLeavesOpen)
+{
+  const Pose2 truth{0.4, 0.3, degToRad(20)};
+  const BeamGrid grid = BeamGrid::centered(2 * kPi, 360);
+  const Scan reference = castScan(officeRoom(), {}, grid);
+  const Scan current = castScan(officeRoom(), truth, grid);
+  const auto matchedWith = [&](double sigma_m, double sigma_deg)
+  {
+    const Eigen::Vector3d sigma(sigma_m, sigma_m, degToRad(sigma_deg));
+    Guess guess{{truth.x_m + 5, truth.y_m - 5, truth.phi_rad + degToRad(100)}, std::nullopt};
+    guess.covariance = sigma.cwiseAbs2().asDiagonal();
+    MatcherWorkspace workspace;
+    return Matcher().match(reference, current, guess, workspace, nullptr,
+                           SearchScope::WithinCovariance);
+  };
+  const MatchResult found = matchedWith(3, 45);
+  ASSERT_TRUE(found.usable()) << found.report();
+  EXPECT_TRUE(isNearly(found.T_ref_cur, truth, 0.02, degToRad(0.5)));
+  const MatchResult tooNarrow = matchedWith(0.3, 5);
+  EXPECT_FALSE(tooNarrow.usable() && isNearly(tooNarrow.T_ref_cur, truth, 1, 1));
+}
+
+// A square room looks the same after a quarter turn. All optima are looked at, though the guess
+// scores well and would end any other search.
+TEST(JointScheme, WithinTheCovarianceItTellsOfEveryPlaceThatLooksAlike)
+{
+  const BeamGrid grid = BeamGrid::centered(2 * kPi, 360);
+  const Scan scan = castScan(squareRoom(), {}, grid);
+  Guess guess;
+  guess.covariance = Eigen::Vector3d(0.01, 0.01, std::pow(degToRad(40), 2)).asDiagonal();
+  MatcherWorkspace workspace;
+  const MatchResult result =
+      Matcher().match(scan, scan, guess, workspace, nullptr, SearchScope::WithinCovariance);
+  ASSERT_TRUE(result.ambiguity) << result.report();
+  const MatchResult near =
+      Matcher().match(scan, scan, guess, workspace, nullptr, SearchScope::NearGuess);
+  EXPECT_FALSE(near.ambiguity);
 }
 
 // The wheels say that the robot stood still, to 3 cm and 2 degrees; it was pushed about. All steps
