@@ -3,6 +3,8 @@
 
 #include <psmks/geometry/BeamGrid.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,4 +24,15 @@ struct Scan
   double sweepDuration_s = 0;  //!< time from the first to the last ray, negative if the last one
                                //!< was measured first; 0 = simultaneous or unknown
 };
+
+/** Whether a ray met something, by what the scan itself says of it.
+ *  @param ray within the grid; the scan has as many ranges as its grid has rays */
+inline bool isReturn(const Scan& scan, int ray)
+{
+  const auto i = static_cast<std::size_t>(ray);
+  const double range_m = scan.range_m[i];
+  const bool flaggedValid = scan.valid.size() != scan.range_m.size() || scan.valid[i] != 0;
+  const bool inReach = scan.maxRange_m <= 0 || range_m < scan.maxRange_m;
+  return flaggedValid && std::isfinite(range_m) && range_m > 0 && inReach;
+}
 }  // namespace psmks

@@ -41,6 +41,18 @@ Eigen::Matrix3d fusedCovariance(const Eigen::Matrix3d& guess, const Eigen::Matri
   return LV * left.asDiagonal() * LV.transpose();
 }
 
+Eigen::Matrix3d informationBeyond(const Eigen::Matrix3d& guess, const Eigen::Matrix3d& fused)
+{
+  // With guess = L L' and L^-1 fused L'^-1 = V diag(d) V', it is L'^-1 V diag(1 / d - 1) V' L^-1.
+  const Eigen::Matrix3d inverseL =
+      guess.llt().matrixL().solve(Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inverseL * fused *
+                                                            inverseL.transpose());
+  const Eigen::Matrix3d V = inverseL.transpose() * axes.eigenvectors();
+  const Eigen::Vector3d known = (axes.eigenvalues().array().inverse() - 1).max(0);
+  return V * known.asDiagonal() * V.transpose();
+}
+
 UncertainPose conjugated(const UncertainPose& T_ref_cur, const Pose2& T_newRef_ref,
                          const Pose2& T_newCur_cur)
 {

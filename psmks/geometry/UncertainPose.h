@@ -32,6 +32,12 @@ UncertainPose seenFrom(const UncertainPose& T_a_b, const UncertainPose& T_a_c);
  *  @param information of the scans, positive semidefinite */
 Eigen::Matrix3d fusedCovariance(const Eigen::Matrix3d& guess, const Eigen::Matrix3d& information);
 
+/** What independent scans knew of a pose, where fusedCovariance() gave its covariance: the inverse
+ * of that function. Directions that seem to be known less than from the guess count as not known.
+ *  @param fused, guess positive definite
+ *  @return positive semidefinite */
+Eigen::Matrix3d informationBeyond(const Eigen::Matrix3d& guess, const Eigen::Matrix3d& fused);
+
 /** The same motion between other frames that are fixed to the old ones: `T_newRef_newCur =
  * T_newRef_ref * T_ref_cur * T_newCur_cur^-1`, with its covariance to first order. The two fixed
  * transformations count as exact.

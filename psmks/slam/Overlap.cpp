@@ -13,16 +13,6 @@ bool isWellFormed(const Scan& scan)
 {
   return scan.range_m.size() == static_cast<std::size_t>(scan.grid.count());
 }
-
-/** Whether the ray met something, by the same rules as cleanScan(). */
-bool isReturn(const Scan& scan, int ray)
-{
-  const auto i = static_cast<std::size_t>(ray);
-  const double range_m = scan.range_m[i];
-  const bool flaggedValid = scan.valid.size() != scan.range_m.size() || scan.valid[i] != 0;
-  const bool inReach = scan.maxRange_m <= 0 || range_m < scan.maxRange_m;
-  return flaggedValid && std::isfinite(range_m) && range_m > 0 && inReach;
-}
 }  // namespace
 
 Overlap::Overlap(const Scan& reference, const Scan& current, int stride) : reference_(reference)

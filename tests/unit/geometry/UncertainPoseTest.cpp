@@ -97,4 +97,24 @@ TEST(FusedCovariance, IsPositiveDefiniteAlsoForAVagueGuess)
     EXPECT_TRUE(fused.allFinite()) << variance;
   }
 }
+TEST(InformationBeyond, IsWhatWasFusedWithTheGuess)
+{
+  const Eigen::Matrix3d guess = someMotion().covariance;
+  Eigen::Matrix3d information;
+  information << 1e5, 2e3, 1e3, 2e3, 5e4, 0, 1e3, 0, 3e5;
+  const Eigen::Matrix3d found = informationBeyond(guess, fusedCovariance(guess, information));
+  EXPECT_TRUE(found.isApprox(information, 1e-6));
+}
+
+// Along a corridor the fused variance is that of the guess: the scans knew nothing there.
+TEST(InformationBeyond, OfADirectionThatStaysAsItWasIsNone)
+{
+  const Eigen::Matrix3d guess = Eigen::Vector3d(0.25, 0.25, 0.03).asDiagonal();
+  const Eigen::Matrix3d fused = Eigen::Vector3d(0.25, 1e-4, 1e-6).asDiagonal();
+  const Eigen::Matrix3d found = informationBeyond(guess, fused);
+  EXPECT_NEAR(found(0, 0), 0, 1e-9);
+  EXPECT_NEAR(found(1, 1), 1e4 - 4, 1e-6);
+  const Eigen::Matrix3d wider = Eigen::Vector3d(0.3, 1e-4, 1e-6).asDiagonal();
+  EXPECT_NEAR(informationBeyond(guess, wider)(0, 0), 0, 1e-9) << "and never less than none";
+}
 }  // namespace psmks::test
