@@ -59,8 +59,8 @@ Summary summarise(const std::vector<PosedScan>& scans, const std::optional<Traje
     summary.pathLength_m += scan.T_last_robot.pose.translation().norm();
     summary.unmatched += !scan.isMatched();
     summary.matches += scan.matches.size();
-    for (const auto& [reference, T_ref_cur, result, time_s] : scan.matches)
-      ++(result.usable() ? summary.usable : summary.failed)[toString(result.status)];
+    for (const ReferenceMatch& match : scan.matches)
+      ++(match.result.usable() ? summary.usable : summary.failed)[toString(match.result.status)];
   }
   if (!scans.empty()) --summary.unmatched;
   addTimes(scans, summary);

@@ -44,14 +44,15 @@ void writeMatch(std::ostream& out, const ReferenceMatch& match, const PosedScan&
                 const PosedScan& reference)
 {
   const bool decides = &match == scan.decidingMatch();
-  const auto& [referenceIndex, T_ref_cur, result, time_s] = match;
+  const MatchResult& result = match.result;
+  const UncertainPose& T_ref_cur = match.T_ref_cur;
   writeStamp(out, scan.stamp_s());
   writeStamp(out, reference.stamp_s());
   out << toString(result.status) << ',' << T_ref_cur.pose.x_m << ',' << T_ref_cur.pose.y_m << ','
       << radToDeg(T_ref_cur.pose.phi_rad) << ',';
   writeCovariance(out, T_ref_cur.covariance);
   out << result.associations << ',' << result.iterations << ',' << 1e3 * result.times.segmentation_s
-      << ',' << 1e3 * time_s << ',';
+      << ',' << 1e3 * match.time_s << ',';
   writeOpen(out, result);
   out << (decides ? 1 : 0) << '\n';
 }

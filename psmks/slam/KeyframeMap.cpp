@@ -1,9 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/slam/KeyframeMap.h>
 #include <psmks/slam/Overlap.h>
-#include <psmks/slam/PlaceSearch.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +24,7 @@ std::optional<std::size_t> KeyframeMap::nearest(const std::vector<PosedScan>& sc
   {
     const PosedScan& reference = scans[keyframe.scan];
     const Pose2 T_keyframe_cur = robotSeenFrom(reference, current);
-    if (!policy_.isWithinReach(T_keyframe_cur)) continue;
+    if (!policy_.isWithinReach(T_keyframe_cur) || !isKnown(keyframe)) continue;
     const double distance = policy_.normalizedDistance(T_keyframe_cur);
     if (best && distance >= bestDistance) continue;
     if (!sawEnough(reference, current)) continue;
@@ -44,7 +42,8 @@ std::vector<KeyframeMap::ExpectedKeyframe> KeyframeMap::around(const std::vector
   {
     const PosedScan& reference = scans[keyframes_[k].scan];
     const Pose2 T_keyframe_cur = robotSeenFrom(reference, current);
-    if (policy_.isWithinReach(T_keyframe_cur) && sawEnough(reference, current))
+    if (policy_.isWithinReach(T_keyframe_cur) && isKnown(keyframes_[k]) &&
+        sawEnough(reference, current))
       expected.push_back({keyframes_[k].scan, T_keyframe_cur});
   }
   const auto isNearer = [this](const ExpectedKeyframe& a, const ExpectedKeyframe& b)
@@ -56,54 +55,71 @@ std::vector<KeyframeMap::ExpectedKeyframe> KeyframeMap::around(const std::vector
   return expected;
 }
 
-std::vector<KeyframeMap::ExpectedKeyframe> KeyframeMap::loopCandidates(
-    const std::vector<PosedScan>& scans, const PosedScan& current, std::size_t reference) const
+void KeyframeMap::standAt(std::size_t keyframe, const UncertainPose& T_keyframe_cur)
 {
-  const auto startNode = nodeOf(reference);
-  if (!startNode) return {};
-  std::vector<std::pair<double, ExpectedKeyframe>> found;  // each with the overlap there
-  for (const LoopCandidate& candidate : withinDrift(scans, current, *startNode))
-  {
-    const SharedPlace place = findSharedPlace(scans[candidate.keyframe], current,
-                                              candidate.expected_T_keyframe_cur, candidate.drift);
-    if (policy_.overlapsEnough(place.overlap))
-      found.push_back({place.overlap, {candidate.keyframe, place.T_ref_cur}});
-  }
-  std::sort(found.begin(), found.end(),
-            [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<ExpectedKeyframe> expected;
-  expected.reserve(found.size());
-  for (const auto& [overlap, keyframe] : found) expected.push_back(keyframe);
-  return expected;
+  const auto node = nodeOf(keyframe);
+  if (!node) return;
+  T_standing_cur_ = T_keyframe_cur;
+  const bool isUpToDate =
+      !covariances_.empty() && *node == standingAt_ && linksThen_ == graph_.links().size();
+  if (isUpToDate) return;
+  standingAt_ = *node;
+  linksThen_ = graph_.links().size();
+  covariances_.assign(keyframes_.size(), std::nullopt);
+  for (const PoseGraph::KnownNode& known : graph_.known(*node))
+    covariances_[known.node] = known.covariance;
 }
 
-/** The loop candidates that are expected nearest, and as many as a scan has time for: each is
- * searched, which takes about as long as a match. */
-std::vector<KeyframeMap::LoopCandidate> KeyframeMap::withinDrift(
-    const std::vector<PosedScan>& scans, const PosedScan& current, std::size_t startNode) const
+/** Where the graph expects the current scan, seen from a keyframe; none where no links lead there.
+ */
+std::optional<UncertainPose> KeyframeMap::expectedFrom(const Keyframe& keyframe) const
 {
-  /** Most loop candidates that are searched for one scan; a search takes about as long as a match.
-   * Unit: keyframes. Evidence: measured. */
-  constexpr std::size_t kMostSearched = 8;
-  const std::vector<double> distances_m = graph_.distances_m(startNode);
-  std::vector<LoopCandidate> candidates;
+  if (keyframe.node >= covariances_.size() || !covariances_[keyframe.node]) return std::nullopt;
+  const UncertainPose T_standing_keyframe{
+      graph_.poses()[standingAt_].inverse() * graph_.poses()[keyframe.node],
+      *covariances_[keyframe.node]};
+  return seenFrom(T_standing_keyframe, T_standing_cur_);
+}
+
+bool KeyframeMap::isKnown(const Keyframe& keyframe) const
+{
+  const auto expected = expectedFrom(keyframe);
+  return expected && policy_.isKnown(expected->covariance);
+}
+
+std::vector<KeyframeMap::UncertainKeyframe> KeyframeMap::possiblePlaces() const
+{
+  std::vector<UncertainKeyframe> places;
   for (const Keyframe& keyframe : keyframes_)
   {
-    const Pose2 expected = robotSeenFrom(scans[keyframe.scan], current);
-    const Drift drift = policy_.driftAfter(distances_m[keyframe.node]);
-    if (policy_.isLoopCandidate(expected, drift))
-      candidates.push_back({keyframe.scan, expected, drift});
+    const auto expected = expectedFrom(keyframe);
+    if (!expected || policy_.isKnown(expected->covariance)) continue;
+    if (expected->pose.translation().norm() < policy_.loopReach_m(expected->covariance))
+      places.push_back({keyframe.scan, *expected});
   }
-  const auto isNearer = [](const LoopCandidate& a, const LoopCandidate& b)
+  return places;
+}
+
+std::vector<std::size_t> KeyframeMap::localMap(std::size_t keyframe, double mostOpen_m) const
+{
+  /** Most keyframes of a local map. Unit: keyframes. Evidence: with 30 and 60 the maps of csail,
+   * Freiburg campus and Acapulco are the same, and a search takes longer. */
+  constexpr std::size_t kMost = 15;
+  const auto centre = nodeOf(keyframe);
+  if (!centre || !(mostOpen_m > 0)) return {};
+  std::vector<std::pair<double, std::size_t>> near;  // each with its distance
+  for (const PoseGraph::KnownNode& known : graph_.known(*centre, mostOpen_m))
   {
-    return a.expected_T_keyframe_cur.translation().norm() <
-           b.expected_T_keyframe_cur.translation().norm();
-  };
-  const std::size_t searched = std::min(kMostSearched, candidates.size());
-  std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(searched),
-                    candidates.end(), isNearer);
-  candidates.resize(searched);
-  return candidates;
+    const double apart_m =
+        (graph_.poses()[known.node].translation() - graph_.poses()[*centre].translation()).norm();
+    near.emplace_back(apart_m, keyframes_[known.node].scan);
+  }
+  std::sort(near.begin(), near.end());
+  if (near.size() > kMost) near.resize(kMost);
+  std::vector<std::size_t> members;
+  members.reserve(near.size());
+  for (const auto& [apart_m, scan] : near) members.push_back(scan);
+  return members;
 }
 
 bool KeyframeMap::covers(const std::vector<PosedScan>& scans, const PosedScan& current) const
@@ -111,7 +127,8 @@ bool KeyframeMap::covers(const std::vector<PosedScan>& scans, const PosedScan& c
   const auto coversIt = [&](const Keyframe& keyframe)
   {
     const PosedScan& reference = scans[keyframe.scan];
-    return policy_.isCovered(robotSeenFrom(reference, current)) && sawEnough(reference, current);
+    return policy_.isCovered(robotSeenFrom(reference, current)) && isKnown(keyframe) &&
+           sawEnough(reference, current);
   };
   return std::any_of(keyframes_.begin(), keyframes_.end(), coversIt);
 }
@@ -162,8 +179,7 @@ double KeyframeMap::addLink(const ReferenceMatch& link, std::size_t from, std::s
 {
   /** Distance at which an error of a heading counts as a displacement. Evidence: measured. */
   constexpr double kLever_m = 2;
-  const PoseLink added{from, to, link.T_ref_cur.pose,
-                       policy_.linkCovariance(link.T_ref_cur.covariance).inverse()};
+  const PoseLink added{from, to, link.T_ref_cur.pose, policy_.linkInformation(link.information)};
   graph_.add(added);
   const Eigen::Vector3d error = linkError(added, graph_.poses()[from], graph_.poses()[to]);
   return error.head<2>().norm() + kLever_m * std::abs(error.z());

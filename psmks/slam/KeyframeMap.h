@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/geometry/UncertainPose.h>
 #include <psmks/slam/PoseGraph.h>
 #include <psmks/slam/PosedScan.h>
 #include <psmks/slam/ReferencePolicy.h>
@@ -36,6 +37,14 @@ class KeyframeMap
     Pose2 T_keyframe_cur;      //!< where the robot at the scan would be, seen from the keyframe's
   };
 
+  /** Tells from where the current scan is known. All other functions are about that scan, and ask
+   * only keyframes of which the graph knows, seen from there, well enough where they are
+   * (ReferencePolicy::isKnown()). A place that no loop ties to the present one yet, at the end of a
+   * long way, is but a place to search a loop at (UncertainKeyframe).
+   *  @param keyframe it placed the scan; ignored where it is none
+   *  @param T_keyframe_cur the robot at the current scan */
+  void standAt(std::size_t keyframe, const UncertainPose& T_keyframe_cur);
+
   /** The nearest keyframe within reach that saw enough of a scan, the pose of the scan being taken
    * for right. Nearness is ReferencePolicy::normalizedDistance(), of position and heading.
    *  @return none where no keyframe did */
@@ -48,14 +57,22 @@ class KeyframeMap
   std::vector<ExpectedKeyframe> around(const std::vector<PosedScan>& scans,
                                        const PosedScan& current) const;
 
-  /** The keyframes that would have seen enough of a scan if its pose was off by what may have
-   * drifted on the way since they were left. Around each of the nearest 8 that the drift allows,
-   * the pose is searched for at which it shares most with the scan.
-   *  @param reference the keyframe that places the scan: the ways to all others start there
-   *  @return the one that shares most first, each with that pose */
-  std::vector<ExpectedKeyframe> loopCandidates(const std::vector<PosedScan>& scans,
-                                               const PosedScan& current,
-                                               std::size_t reference) const;
+  /** A keyframe near which the current scan may be. */
+  struct UncertainKeyframe
+  {
+    std::size_t keyframe = 0;
+    UncertainPose T_keyframe_cur;  //!< where the graph expects the robot, seen from the keyframe's
+  };
+
+  /** The keyframes near which the current scan may be as far as the graph knows, within
+   * ReferencePolicy::loopReach_m(), without being known to be: where the robot may have come back
+   * to. */
+  std::vector<UncertainKeyframe> possiblePlaces() const;
+
+  /** The scans that together show the surroundings of a keyframe, its own first: the nearest 15 of
+   * the keyframes that fit it, which are those on paths of links that leave at most so
+   * much open as PoseGraph::known() counts it. */
+  std::vector<std::size_t> localMap(std::size_t keyframe, double mostOpen_m) const;
 
   /** Whether a keyframe near a scan saw enough of it, so that the scan need not become one. */
   bool covers(const std::vector<PosedScan>& scans, const PosedScan& current) const;
@@ -79,17 +96,9 @@ class KeyframeMap
     std::size_t node;
   };
 
-  /** A keyframe that may be near a scan, if the pose of the scan has drifted. */
-  struct LoopCandidate
-  {
-    std::size_t keyframe;
-    Pose2 expected_T_keyframe_cur;
-    Drift drift;
-  };
-
   bool sawEnough(const PosedScan& keyframe, const PosedScan& current) const;
-  std::vector<LoopCandidate> withinDrift(const std::vector<PosedScan>& scans,
-                                         const PosedScan& current, std::size_t startNode) const;
+  bool isKnown(const Keyframe& keyframe) const;
+  std::optional<UncertainPose> expectedFrom(const Keyframe& keyframe) const;
   std::optional<std::size_t> nodeOf(std::size_t scan) const;
   double addLink(const ReferenceMatch& link, std::size_t from, std::size_t to);
   void optimise(std::vector<PosedScan>& scans, std::size_t firstFree);
@@ -97,5 +106,9 @@ class KeyframeMap
   ReferencePolicy policy_;
   PoseGraph graph_;
   std::vector<Keyframe> keyframes_;
+  std::size_t standingAt_ = 0;    //!< node of the keyframe from which the current scan is known
+  UncertainPose T_standing_cur_;  //!< the robot at the current scan, seen from there
+  std::vector<std::optional<Eigen::Matrix3d>> covariances_;  //!< of the nodes, seen from there
+  std::size_t linksThen_ = 0;  //!< links that the graph had when these were computed
 };
 }  // namespace psmks

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <utility>
 
@@ -104,19 +103,22 @@ double kernelWeight(const PoseLink& link, const Eigen::Vector3d& error)
   return 1 / (1 + error.dot(link.information * error) / (kKernelWidth * kKernelWidth));
 }
 
-/** Of every node the nodes that a link leads to, with the length of the link in metres. */
-using Neighbours = std::vector<std::vector<std::pair<std::size_t, double>>>;
-
-Neighbours neighboursOf(const PoseGraph& graph)
+/** leftOpen_m() squared. */
+double leftOpen_m2(const Eigen::Matrix3d& covariance)
 {
-  Neighbours neighbours(graph.poses().size());
-  for (const PoseLink& link : graph.links())
-  {
-    const double length_m = link.T_from_to.translation().norm();
-    neighbours[link.from].emplace_back(link.to, length_m);
-    neighbours[link.to].emplace_back(link.from, length_m);
-  }
-  return neighbours;
+  /** Distance at which an error of a heading counts as a displacement. Definition: about the
+   * distance of two keyframes that are matched against each other. */
+  constexpr double kLever_m = 4;
+  return covariance(0, 0) + covariance(1, 1) + kLever_m * kLever_m * covariance(2, 2);
+}
+
+/** The covariance of a link, which is very wide in directions that it leaves open. */
+Eigen::Matrix3d covarianceOf(const PoseLink& link, double weight)
+{
+  /** Variance in directions that a link says nothing about. Unit: m^2 and rad^2. Definition: above
+   * that of any way that is looked at. */
+  constexpr double kOpen = 1e4;
+  return fusedCovariance(kOpen * Eigen::Matrix3d::Identity(), weight * link.information);
 }
 }  // namespace
 
@@ -127,10 +129,37 @@ Eigen::Vector3d linkError(const PoseLink& link, const Pose2& from, const Pose2& 
           wrapAngle(between.phi_rad - link.T_from_to.phi_rad)};
 }
 
+double leftOpen_m(const Eigen::Matrix3d& covariance) { return std::sqrt(leftOpen_m2(covariance)); }
+
 std::size_t PoseGraph::add(const Pose2& guess)
 {
   poses_.push_back(guess);
+  steps_.emplace_back();
   return poses_.size() - 1;
+}
+
+void PoseGraph::add(const PoseLink& link)
+{
+  links_.push_back(link);
+  const Eigen::Vector3d error = linkError(link, poses_[link.from], poses_[link.to]);
+  addSteps(link, kernelWeight(link, error));
+}
+
+/** Adds the two steps that a link allows. */
+void PoseGraph::addSteps(const PoseLink& link, double weight)
+{
+  const UncertainPose there{link.T_from_to, covarianceOf(link, weight)};
+  const UncertainPose back = seenFrom(there, UncertainPose());
+  steps_[link.from].push_back({link.to, there, leftOpen_m2(there.covariance)});
+  steps_[link.to].push_back({link.from, back, leftOpen_m2(back.covariance)});
+}
+
+/** Weighs the links of all steps anew, by how far they contradict the poses. */
+void PoseGraph::weighSteps()
+{
+  for (std::vector<Step>& steps : steps_) steps.clear();
+  for (const PoseLink& link : links_)
+    addSteps(link, kernelWeight(link, linkError(link, poses_[link.from], poses_[link.to])));
 }
 
 void PoseGraph::optimise(std::size_t firstFree)
@@ -147,6 +176,7 @@ void PoseGraph::optimise(std::size_t firstFree)
   for (int i = 0; i < kMostSteps; ++i, trustNewLinks = false)
     if (step(firstFree, trustNewLinks) < kSmallStep) break;
   optimisedLinks_ = links_.size();
+  weighSteps();
 }
 
 /** One Gauss-Newton step.
@@ -172,27 +202,35 @@ double PoseGraph::step(std::size_t firstFree, bool trustNewLinks)
   return change.cwiseAbs().maxCoeff();
 }
 
-/** Dijkstra's algorithm. */
-std::vector<double> PoseGraph::distances_m(std::size_t from) const
+/** Dijkstra's algorithm, with what the links leave open for the lengths. */
+std::vector<PoseGraph::KnownNode> PoseGraph::known(std::size_t from, double mostOpen_m) const
 {
-  const Neighbours neighbours = neighboursOf(*this);
-  std::vector<double> distance_m(neighbours.size(), std::numeric_limits<double>::infinity());
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  distance_m[from] = 0;
-  open.emplace(0, from);
+  struct Reached
+  {
+    double leftOpen_m2;
+    std::size_t node;
+    Eigen::Matrix3d covariance;
+    bool operator>(const Reached& other) const { return leftOpen_m2 > other.leftOpen_m2; }
+  };
+  std::vector<KnownNode> known;
+  std::vector<bool> isKnown(poses_.size(), false);
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+  open.push({0, from, Eigen::Matrix3d::Zero()});
   while (!open.empty())
   {
-    const auto [here_m, node] = open.top();
+    const Reached here = open.top();
     open.pop();
-    if (here_m > distance_m[node]) continue;
-    for (const auto& [next, length_m] : neighbours[node])
+    if (isKnown[here.node]) continue;
+    isKnown[here.node] = true;
+    known.push_back({here.node, here.covariance});
+    const UncertainPose T_from_here{poses_[from].inverse() * poses_[here.node], here.covariance};
+    for (const Step& step : steps_[here.node])
     {
-      if (here_m + length_m >= distance_m[next]) continue;
-      distance_m[next] = here_m + length_m;
-      open.emplace(distance_m[next], next);
+      const double there_m2 = here.leftOpen_m2 + step.leftOpen_m2;
+      if (isKnown[step.to] || there_m2 > mostOpen_m * mostOpen_m) continue;
+      open.push({there_m2, step.to, composed(T_from_here, step.T_here_to).covariance});
     }
   }
-  return distance_m;
+  return known;
 }
 }  // namespace psmks

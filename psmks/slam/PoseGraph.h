@@ -1,10 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/geometry/Pose2.h>
+#include <psmks/geometry/UncertainPose.h>
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace psmks
@@ -21,6 +22,11 @@ struct PoseLink
 /** The pose of `to` seen from `from`, minus what the link measured: (x, y, phi) in the axes of
  * `from`, in metres and radians. */
 Eigen::Vector3d linkError(const PoseLink& link, const Pose2& from, const Pose2& to);
+
+/** What a pose leaves open, as one length: the root of its variances, a heading counted by what it
+ * moves at the end of a lever of 4 m, about the distance of keyframes that are matched.
+ *  @param covariance of (x, y, phi): m^2, m rad, rad^2 */
+double leftOpen_m(const Eigen::Matrix3d& covariance);
 
 /** Poses that are fixed together by many measured differences between them.
  *
@@ -41,17 +47,29 @@ class PoseGraph
   std::size_t add(const Pose2& guess);
 
   /** Adds a link between two nodes of the graph. */
-  void add(const PoseLink& link) { links_.push_back(link); }
+  void add(const PoseLink& link);
 
   /** Moves the nodes to a minimum of the cost, by at most 10 Gauss-Newton steps from where they
    * are. A node that no link ties to a fixed one, directly or through others, stays where it is.
    *  @param firstFree the nodes before it are fixed; node 0 is fixed in any case */
   void optimise(std::size_t firstFree = 1);
 
-  /** Length of the shortest path along links from one node to each node, in metres: at most so far
-   * the robot has been driven, or matched, between the two, and with the length grows what their
-   * poses may have drifted apart. Infinite where no path leads. */
-  std::vector<double> distances_m(std::size_t from) const;
+  /** A node, and how well the graph knows where it is. */
+  struct KnownNode
+  {
+    std::size_t node = 0;
+    Eigen::Matrix3d covariance;  //!< of (x, y, phi) of T_from_node, in the axes of `from`
+  };
+
+  /** How well the graph knows where other nodes are, seen from one of them: along the path of links
+   * that leave least open. What other paths know besides is left out, so that the covariance is
+   * rather too wide than too narrow. A link that contradicts the others counts as much less as in
+   * optimise().
+   *  @param mostOpen_m nodes are left out where the links of the path leave more open, the squares
+   * of their leftOpen_m() added
+   *  @return the node itself and those that paths lead to, what is known best first */
+  std::vector<KnownNode> known(std::size_t from,
+                               double mostOpen_m = std::numeric_limits<double>::infinity()) const;
 
   /** One pose per node, by its number. */
   const std::vector<Pose2>& poses() const { return poses_; }
@@ -59,10 +77,21 @@ class PoseGraph
   const std::vector<PoseLink>& links() const { return links_; }
 
  private:
+  /** A link as seen from one of its nodes. */
+  struct Step
+  {
+    std::size_t to;
+    UncertainPose T_here_to;
+    double leftOpen_m2;
+  };
+
   double step(std::size_t firstFree, bool trustNewLinks);
+  void addSteps(const PoseLink& link, double weight);
+  void weighSteps();
 
   std::vector<Pose2> poses_;
   std::vector<PoseLink> links_;
-  std::size_t optimisedLinks_ = 0;  //!< the links from here on are new
+  std::vector<std::vector<Step>> steps_;  //!< of every node, two for each link
+  std::size_t optimisedLinks_ = 0;        //!< the links from here on are new
 };
 }  // namespace psmks

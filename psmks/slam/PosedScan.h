@@ -17,9 +17,10 @@ struct ReferenceMatch
   std::size_t reference = 0;  //!< index of the reference scan in the trajectory
   UncertainPose T_ref_cur;    //!< pose of the robot at the current scan, seen from the robot at the
                               //!< reference scan
-  MatchResult result;         //!< of the two sensors, as the matcher gave it
-  double time_s = 0;  //!< wall time of the match, with the preparation of those of the two scans
-                      //!< that no earlier match had prepared
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  //!< what the scans alone say of that pose
+  MatchResult result;  //!< of the two sensors, as the matcher gave it
+  double time_s = 0;   //!< wall time of the match, with the preparation of those of the two scans
+                       //!< that no earlier match had prepared
 };
 
 /** A scan with its place on the trajectory. The frames of its poses:

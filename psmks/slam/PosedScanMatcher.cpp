@@ -6,6 +6,26 @@
 
 namespace psmks
 {
+namespace
+{
+/** What a match adds to the covariance that its guess had. */
+Eigen::Matrix3d informationOf(const ReferenceMatch& match, const Eigen::Matrix3d& guess)
+{
+  return informationBeyond(match.result.guessGivenUp ? MatchResult::unknownCovariance() : guess,
+                           match.T_ref_cur.covariance);
+}
+}  // namespace
+
+Eigen::Matrix3d vagueCovariance()
+{
+  /** Standard deviations of a guess that is a start and no measurement. Definition: a
+   * start that is at most so far off moves a result by less than the result's own standard
+   * deviation. */
+  constexpr double kSigma_m = 0.5, kSigma_rad = degToRad(10);
+  return Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigma_rad * kSigma_rad)
+      .asDiagonal();
+}
+
 PosedScanMatcher::PosedScanMatcher(std::unique_ptr<PairMatcher> matcher)
     : matcher_(std::move(matcher)), prepared_(*matcher_)
 {
@@ -29,9 +49,27 @@ ReferenceMatch PosedScanMatcher::match(const std::vector<PosedScan>& scans, std:
   match.result = matcher_->matchPrepared(*preparedRef, *preparedCur,
                                          Guess{guess.pose, guess.covariance}, scope);
   match.result.times.segmentation_s += preparation_s;
-  match.time_s = preparation_s + stopwatch.lap_s();
   match.T_ref_cur =
       conjugated({match.result.T_ref_cur, match.result.covariance}, mountingRef, mountingCur);
+  match.information = informationOf(match, T_ref_cur.covariance);
+  match.time_s = preparation_s + stopwatch.lap_s();
+  return match;
+}
+
+ReferenceMatch PosedScanMatcher::matchViews(std::size_t reference, const Scan& viewRef,
+                                            const Scan& viewCur, const UncertainPose& T_ref_cur)
+{
+  Stopwatch stopwatch;
+  const auto preparedRef = matcher_->prepare(viewRef, prepared_.scanner());
+  const auto preparedCur = matcher_->prepare(viewCur, prepared_.scanner());
+  ReferenceMatch match;
+  match.reference = reference;
+  match.result = matcher_->matchPrepared(*preparedRef, *preparedCur,
+                                         Guess{T_ref_cur.pose, T_ref_cur.covariance},
+                                         SearchScope::WithinCovariance);
+  match.T_ref_cur = {match.result.T_ref_cur, match.result.covariance};
+  match.information = informationOf(match, T_ref_cur.covariance);
+  match.time_s = stopwatch.lap_s();
   return match;
 }
 }  // namespace psmks

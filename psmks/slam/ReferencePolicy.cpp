@@ -1,12 +1,21 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/slam/ReferencePolicy.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
 
 namespace psmks
 {
 namespace
 {
+/** Standard deviation of a position along the direction that is known worst. */
+double positionSigma_m(const Eigen::Matrix3d& covariance)
+{
+  const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(position).eigenvalues().y());
+}
+
 /** Whether a pose is at least as far away, or turned at least as far, as the limits. */
 bool isBeyond(const Pose2& T_ref_cur, double distance_m, double angle_rad)
 {
@@ -48,11 +57,10 @@ void listMapFields(OptionTable& table, ReferenceOptions& o)
   table.add("map_min_score", o.mapMinScore, Unit::None, 0, 1,
             "map and keyframe: a match that explains a smaller share of rays does not link "
             "keyframes");
-  table.add("map_drift_share", o.mapDriftShare, Unit::None, 0, 1,
-            "map: the position drifts by at most this share of the way driven; a place visited "
-            "before is searched for within that; 0: no search");
-  table.add("map_drift_per_metre_deg", o.mapDriftPerMetre_rad, Unit::Degree, 0, degToRad(10),
-            "map: the heading drifts by at most this angle for every metre driven");
+  table.add(
+      "loop_places", o.loopPlaces, 0, 1000,
+      "map: for each new keyframe at most so many places are searched that the robot may have "
+      "come back to; 0: no loop is closed");
 }
 
 void listLinkFields(OptionTable& table, ReferenceOptions& o)
@@ -164,23 +172,20 @@ bool ReferencePolicy::isCovered(const Pose2& T_keyframe_cur) const
   return !isBeyond(T_keyframe_cur, options_.mapSpacing_m, options_.mapSpacing_rad);
 }
 
-Drift ReferencePolicy::driftAfter(double way_m) const
+bool ReferencePolicy::isKnown(const Eigen::Matrix3d& covariance) const
 {
-  return {options_.mapDriftShare * way_m, options_.mapDriftPerMetre_rad * way_m};
+  /** Standard deviations up to which a match may start at a pose. Evidence: three of them are what
+   * overlap() forgives at 4 m. */
+  constexpr double kKnown_m = 0.1, kKnown_rad = degToRad(1.5);
+  return positionSigma_m(covariance) <= kKnown_m && covariance(2, 2) <= kKnown_rad * kKnown_rad;
 }
 
-bool ReferencePolicy::isLoopCandidate(const Pose2& T_keyframe_cur, const Drift& drift) const
+double ReferencePolicy::loopReach_m(const Eigen::Matrix3d& covariance) const
 {
-  /** Drift below which no search is needed. Evidence: what overlap() forgives. */
-  constexpr double kKnown_m = 0.3;
-
-  /** Drift from which on a place is not searched for; the search grows with its square. Evidence:
-   * measured. */
-  constexpr double kLost_m = 6;
-  const double reach_m = options_.mapSpacing_m + drift.displacement_m;
-  const double reach_rad = options_.mapSpacing_rad + drift.rotation_rad;
-  return drift.displacement_m > kKnown_m && drift.displacement_m < kLost_m &&
-         !isBeyond(T_keyframe_cur, reach_m, reach_rad);
+  /** Largest error that is reckoned with. Unit: standard deviations. Evidence: 99.7 % of normal
+   * errors. */
+  constexpr double kSigmas = 3;
+  return options_.mapDistance_m + kSigmas * positionSigma_m(covariance);
 }
 
 std::size_t ReferencePolicy::firstLinkable(std::size_t keyframes) const
@@ -189,12 +194,13 @@ std::size_t ReferencePolicy::firstLinkable(std::size_t keyframes) const
   return usesMap() || keyframes < window ? 0 : keyframes - window;
 }
 
-Eigen::Matrix3d ReferencePolicy::linkCovariance(const Eigen::Matrix3d& matchCovariance) const
+Eigen::Matrix3d ReferencePolicy::linkInformation(const Eigen::Matrix3d& ofMatch) const
 {
+  // (ofMatch^-1 + added)^-1 = ofMatch (I + added ofMatch)^-1, where ofMatch may be singular.
   const double sigma_m = options_.linkSigma_m, sigma_rad = options_.linkSigma_rad;
-  Eigen::Matrix3d covariance = matchCovariance;
-  covariance.diagonal() +=
-      Eigen::Vector3d(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad);
-  return covariance;
+  const Eigen::Vector3d added(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad);
+  const Eigen::Matrix3d widened =
+      ofMatch * (Eigen::Matrix3d::Identity() + added.asDiagonal() * ofMatch).inverse();
+  return (widened + widened.transpose()) / 2;
 }
 }  // namespace psmks

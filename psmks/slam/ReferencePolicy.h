@@ -3,7 +3,7 @@
 
 #include <psmks/base/OptionTable.h>
 #include <psmks/geometry/Angle.h>
-#include <psmks/geometry/Pose2.h>
+#include <psmks/geometry/UncertainPose.h>
 #include <psmks/match/MatchResult.h>
 
 #include <Eigen/Core>
@@ -19,13 +19,6 @@ enum class ReferenceChoice
   Keyframe,    //!< the same scan for as long as enough of it is still seen; keyframes are linked to
                //!< the last few
   Map          //!< the nearest of all keyframes, which are linked to each other
-};
-
-/** By how much a pose may be wrong. */
-struct Drift
-{
-  double displacement_m = 0;
-  double rotation_rad = 0;
 };
 
 /** When scans are matched, what they are matched against, and what links keyframes. The section
@@ -46,12 +39,11 @@ struct ReferenceOptions
   double mapAngle_rad = degToRad(60);  //!< ... and within this
   double mapMinOverlap = 0.5;          //!< map and keyframe: compared with overlap()
   double mapMinScore = 0.6;            //!< map and keyframe: least MatchResult::score of a link
-  double mapDriftShare = 0.03;         //!< map: of the way driven, by which a position may be off
-  double mapDriftPerMetre_rad = degToRad(0.1);  //!< map: heading drift, for each metre driven
+  int loopPlaces = 8;       //!< map: most places searched for each new keyframe, to close a loop
   int keyframeWindow = 20;  //!< keyframe: a new keyframe is linked to some of the last so many
   int mapLinks = 6;  //!< map and keyframe: most matches that link a new one to those around it
-  double linkSigma_m = 0.005;            //!< added to each link, see linkCovariance()
-  double linkSigma_rad = degToRad(0.1);  //!< added to each link, see linkCovariance()
+  double linkSigma_m = 0.005;            //!< added to each link, see linkInformation()
+  double linkSigma_rad = degToRad(0.1);  //!< added to each link, see linkInformation()
   bool retryLastScan = true;   //!< after a failure, match against the scan before, and if that
                                //!< fails, too, with a wide prior; false: neither of them
   double retryScore = 0.9;     //!< a lower MatchResult::score also calls for the scan before
@@ -117,13 +109,16 @@ class ReferencePolicy
   /** Whether a keyframe as near as this makes another one at the pose of the scan unnecessary. */
   bool isCovered(const Pose2& T_keyframe_cur) const;
 
-  /** By how much a pose may be wrong after the robot has driven so far. */
-  Drift driftAfter(double way_m) const;
+  /** Whether a pose is known well enough for a match to start there: to a standard deviation of 0.1
+   * m and 1.5 degrees, three of which are what overlap() forgives. */
+  bool isKnown(const Eigen::Matrix3d& covariance) const;
 
-  /** Whether the map searches for a keyframe around a scan, since with that much drift it could be
-   * within the spacing of keyframes. Not where the drift is so small that overlap() bears it, and
-   * not where it is so large that the search would take too long (6 m). */
-  bool isLoopCandidate(const Pose2& T_keyframe_cur, const Drift& drift) const;
+  /** How far a robot may be from a keyframe and still see what it saw, after an error of three
+   * standard deviations: the distance within which a keyframe is a place to search for a loop. */
+  double loopReach_m(const Eigen::Matrix3d& covariance) const;
+
+  /** Most places that are searched for a new keyframe. */
+  std::size_t loopPlaces() const { return static_cast<std::size_t>(options_.loopPlaces); }
 
   /** How many matches link a new keyframe to others at most, besides the one that placed it. The
    * same number again is allowed for loop candidates. */
@@ -140,10 +135,11 @@ class ReferencePolicy
     return match.usable() && match.score >= options_.mapMinScore;
   }
 
-  /** The covariance that a link counts with: that of its match, plus the variances of the options
-   * `link_sigma_m` and `link_sigma_deg`. The covariance of a match counts the noise of the ranges
-   * alone. People, glass, and things that are not upright move a match by more. */
-  Eigen::Matrix3d linkCovariance(const Eigen::Matrix3d& matchCovariance) const;
+  /** The information that a link counts with: that of its match, its errors widened by the standard
+   * deviations of the options `link_sigma_m` and `link_sigma_deg`. A match counts the noise of the
+   * ranges alone. People, glass, and things that are not upright move it by more.
+   *  @param ofMatch positive semidefinite; directions that it does not know stay unknown */
+  Eigen::Matrix3d linkInformation(const Eigen::Matrix3d& ofMatch) const;
 
  private:
   bool isTriggered(const Pose2& T_ref_cur) const;

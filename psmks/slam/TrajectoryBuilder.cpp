@@ -3,6 +3,7 @@
 #include <psmks/slam/ConsistentLinks.h>
 #include <psmks/slam/TrajectoryBuilder.h>
 
+#include <Eigen/LU>
 #include <utility>
 
 namespace psmks
@@ -18,19 +19,6 @@ UncertainPose motionBetweenMatches(const Pose2& T_a_b, const UncertainPose& T_a_
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   R.topLeftCorner<2, 2>() = T_b_a.rotation();
   return {T_b_a * T_a_c.pose, R * T_a_c.covariance * R.transpose()};
-}
-
-/** The covariance of a guess that is where a match starts, and no measurement. It pulls the result
- * by (sigma of the scans / 0.5 m)^2 of its own error: 0.2 mm where the scans know a direction to
- * 15 mm and the guess is 0.2 m off. To the matcher it is a guess with a covariance all the same. */
-Eigen::Matrix3d vagueCovariance()
-{
-  /** Standard deviations of a guess that is a start and no measurement. Definition: a
-   * start that is at most so far off moves a result by less than the result's own standard
-   * deviation. */
-  constexpr double kSigma_m = 0.5, kSigma_rad = degToRad(10);
-  return Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigma_rad * kSigma_rad)
-      .asDiagonal();
 }
 }  // namespace
 
@@ -57,7 +45,11 @@ const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
     makeReference(0);
     return current();
   }
-  if (policy_.usesMap()) chooseKeyframe();
+  if (policy_.usesMap())
+  {
+    map_.standAt(evidence_.keyframe, evidence_.T_keyframe_last);
+    chooseKeyframe();
+  }
   const UncertainPose T_ref_predicted = composed(T_ref_last_, motion);
   const bool needsMatch = policy_.needsMatch(T_ref_predicted.pose);
   place(needsMatch ? matched(motion, T_ref_predicted) : T_ref_predicted);
@@ -73,15 +65,17 @@ UncertainPose TrajectoryBuilder::motionBy(const std::optional<Pose2>& odometry, 
   return {*odometry, odometryCovariance(*odometry, odometryOptions_)};
 }
 
-/** The motion to the current scan tells the speed if matches tell where both of its ends are, and
- * unless the scans contradict what was expected of it: one match that is wrong would mislead the
- * next. */
-void TrajectoryBuilder::learnSpeed()
+/** The motion to the current scan tells the speed, and how good the prediction was, if matches tell
+ * where both of its ends are. The speed is learnt unless the scans contradict what was expected of
+ * it: one match that is wrong would mislead the next. */
+void TrajectoryBuilder::learnMotion(const UncertainPose& predicted)
 {
   const bool isPreviousKnown = previous().isMatched() || currentIndex() == 1;
+  if (!isPreviousKnown) return;
+  const Pose2& measured = current().T_last_robot.pose;
+  odometryQuality_.learn(predicted, measured);
   const MatchResult& result = current().decidingMatch()->result;
-  if (!isPreviousKnown || result.guessGivenUp || result.contradictsGuess()) return;
-  steadyMotion_.learn(current().T_last_robot.pose);
+  if (!result.guessGivenUp && !result.contradictsGuess()) steadyMotion_.learn(measured);
 }
 
 /** The motion that led to a scan tells how the robot turned while the scanner swept. */
@@ -142,7 +136,7 @@ UncertainPose TrajectoryBuilder::matched(const UncertainPose& motion,
   if (current().isMatched())
   {
     current().T_last_robot = motionBetweenMatches(T_ref_last_.pose, T_ref_cur);
-    learnSpeed();
+    learnMotion(motion);
   }
   return T_ref_cur;
 }
@@ -182,18 +176,30 @@ void TrajectoryBuilder::place(const UncertainPose& T_ref_cur)
   if (current().isMatched())
     evidence_ = {reference_, T_ref_cur};
   else
-    evidence_.T_keyframe_last = composed(evidence_.T_keyframe_last, current().T_last_robot);
+    followPrediction();
   current().T_world_robot = composed(scans_[reference_].T_world_robot, T_ref_cur);
   current().anchor = reference_;
   current().T_anchor_robot = T_ref_cur.pose;
   T_ref_last_ = T_ref_cur;
 }
 
-bool TrajectoryBuilder::becomesReference() const
+/** Without a match, what is known of the last scan and the motion since are all the evidence. */
+void TrajectoryBuilder::followPrediction()
+{
+  UncertainPose motion = current().T_last_robot;
+  motion.covariance *= odometryQuality_.varianceFactor();
+  evidence_.T_keyframe_last = composed(evidence_.T_keyframe_last, motion);
+}
+
+bool TrajectoryBuilder::becomesReference()
 {
   const ReferenceMatch* match = current().decidingMatch();
   if (!match) return false;
-  if (policy_.usesMap() && current().isMatched()) return !map_.covers(scans_, current());
+  if (policy_.usesMap() && current().isMatched())
+  {
+    map_.standAt(evidence_.keyframe, evidence_.T_keyframe_last);
+    return !map_.covers(scans_, current());
+  }
   return policy_.replacesReference(match->result, T_ref_last_.pose, failuresInARow_);
 }
 
@@ -215,7 +221,10 @@ void TrajectoryBuilder::addToMap(std::size_t index)
   std::vector<ReferenceMatch> links;
   if (index > 0)
   {
-    links.push_back({evidence_.keyframe, evidence_.T_keyframe_last, {}, 0});
+    const UncertainPose& T_keyframe_last = evidence_.T_keyframe_last;
+    links.push_back(
+        {evidence_.keyframe, T_keyframe_last, T_keyframe_last.covariance.inverse(), {}, 0});
+    map_.standAt(evidence_.keyframe, T_keyframe_last);
     keyframe.links = consistentLinks(scans_, keyframe, matchesAround(index));
     links.insert(links.end(), keyframe.links.begin(), keyframe.links.end());
   }
@@ -223,29 +232,27 @@ void TrajectoryBuilder::addToMap(std::size_t index)
 }
 
 /** Matches a scan against the keyframes where it is expected to share much with them, and with a
- * map also against those of earlier visits that it may share much with after some drift. The
- * keyframe from which it was placed is linked to it already, and so is left out. So is the
- * reference: where it is another one, the scan after this one hardly matched it.
+ * map also against places of earlier visits (LoopSearch). The keyframe from which it was placed is
+ * linked to it already, and so is left out. So is the reference: where it is another one, the scan
+ * after this one hardly matched it.
  *  @return the matches that are good enough for links */
 std::vector<ReferenceMatch> TrajectoryBuilder::matchesAround(std::size_t index)
 {
   std::vector<ReferenceMatch> found;
-  const auto matchAgainst = [&](const std::vector<KeyframeMap::ExpectedKeyframe>& keyframes)
+  std::size_t tried = 0;
+  for (const KeyframeMap::ExpectedKeyframe& expected : map_.around(scans_, scans_[index]))
   {
-    std::size_t tried = 0;
-    for (const KeyframeMap::ExpectedKeyframe& expected : keyframes)
-    {
-      if (expected.keyframe == reference_ || expected.keyframe == evidence_.keyframe) continue;
-      if (tried++ == policy_.maxLinks()) break;
-      ReferenceMatch candidate =
-          matcher_.match(scans_, expected.keyframe, index,
-                         {expected.T_keyframe_cur, vagueCovariance()}, SearchScope::NearGuess);
-      if (policy_.isLink(candidate.result)) found.push_back(std::move(candidate));
-    }
-  };
-  matchAgainst(map_.around(scans_, scans_[index]));
-  if (policy_.usesMap())
-    matchAgainst(map_.loopCandidates(scans_, scans_[index], evidence_.keyframe));
+    if (expected.keyframe == reference_ || expected.keyframe == evidence_.keyframe) continue;
+    if (tried++ == policy_.maxLinks()) break;
+    ReferenceMatch candidate =
+        matcher_.match(scans_, expected.keyframe, index,
+                       {expected.T_keyframe_cur, vagueCovariance()}, SearchScope::NearGuess);
+    if (policy_.isLink(candidate.result)) found.push_back(std::move(candidate));
+  }
+  if (!policy_.usesMap()) return found;
+  for (ReferenceMatch& link : loopSearch_.links(scans_, index, evidence_.keyframe,
+                                                evidence_.T_keyframe_last, map_, matcher_))
+    found.push_back(std::move(link));
   return found;
 }
 

@@ -3,9 +3,11 @@
 
 #include <psmks/matchers/PairMatcher.h>
 #include <psmks/motion/OdometryNoise.h>
+#include <psmks/motion/OdometryQuality.h>
 #include <psmks/motion/SteadyMotion.h>
 #include <psmks/motion/Sweep.h>
 #include <psmks/slam/KeyframeMap.h>
+#include <psmks/slam/LoopSearch.h>
 #include <psmks/slam/PosedScan.h>
 #include <psmks/slam/PosedScanMatcher.h>
 #include <psmks/slam/ReferencePolicy.h>
@@ -78,7 +80,7 @@ class TrajectoryBuilder
   const PosedScan& previous() const { return scans_[scans_.size() - 2]; }
 
   UncertainPose motionBy(const std::optional<Pose2>& odometry, double stamp_s);
-  void learnSpeed();
+  void learnMotion(const UncertainPose& predicted);
   void straighten(Scan& scan, const UncertainPose& motion);
   void append(Scan scan, const Pose2& T_robot_sensor, const std::optional<Pose2>& odometry,
               const UncertainPose& motion);
@@ -87,7 +89,8 @@ class TrajectoryBuilder
   void retryWithPrevious(const UncertainPose& motion);
   void retryWithWidePrior(const UncertainPose& motion);
   void place(const UncertainPose& T_ref_cur);
-  bool becomesReference() const;
+  void followPrediction();
+  bool becomesReference();
   void makeReference(std::size_t index);
   void addToMap(std::size_t index);
   std::vector<ReferenceMatch> matchesAround(std::size_t index);
@@ -96,7 +99,9 @@ class TrajectoryBuilder
   OdometryOptions odometryOptions_;
   PosedScanMatcher matcher_;
   KeyframeMap map_{policy_};
+  LoopSearch loopSearch_{policy_};
   SteadyMotion steadyMotion_;
+  OdometryQuality odometryQuality_;
   TurnRate turnRate_;
   std::vector<PosedScan> scans_;
   std::size_t reference_ = 0;

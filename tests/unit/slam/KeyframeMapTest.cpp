@@ -4,6 +4,9 @@
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Scenes.h>
 
+#include <Eigen/LU>
+#include <cmath>
+
 namespace psmks
 {
 namespace
@@ -54,6 +57,7 @@ class KeyframeMapTest : public testing::Test
     link.reference = reference;
     link.T_ref_cur.pose = T_ref_cur;
     link.T_ref_cur.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-7).asDiagonal();
+    link.information = link.T_ref_cur.covariance.inverse();
     return link;
   }
 
@@ -69,6 +73,7 @@ class KeyframeMapTest : public testing::Test
     map.add(scans_, 0, {});
     for (std::size_t k = 1; k < keyframes; ++k)
       map.add(scans_, k, {linkFrom(k - 1, between(k - 1, k))});
+    map.standAt(0, {});
     return map;
   }
 
@@ -91,7 +96,8 @@ TEST_F(KeyframeMapTest, AnEmptyMapKnowsNothing)
   const KeyframeMap map{ReferencePolicy({})};
   EXPECT_FALSE(map.nearest(scans_, scans_[0]));
   EXPECT_TRUE(map.around(scans_, scans_[0]).empty());
-  EXPECT_TRUE(map.loopCandidates(scans_, scans_[0], 0).empty());
+  EXPECT_TRUE(map.possiblePlaces().empty());
+  EXPECT_TRUE(map.localMap(0, 1).empty());
   EXPECT_FALSE(map.covers(scans_, scans_[0]));
 }
 
@@ -145,34 +151,63 @@ TEST_F(KeyframeMapTest, CoversWhatANearKeyframeSaw)
   EXPECT_FALSE(map.covers(scans_, elsewhere)) << "it shows another room";
 }
 
-// The first scan is 60 m of links away, so it may be off by 1.8 m: it is found 1.2 m from where it
-// is expected.
-TEST_F(KeyframeMapTest, APlaceThatHasDriftedAwayIsACandidateWhereItSharesMost)
+//    0 --- 1     the robot stands at 1; the link between the two leaves 0.5 m and 5 degrees open
+class UncertainWay : public KeyframeMapTest
 {
-  KeyframeMap map{ReferencePolicy({})};
-  const PosedScan start = scans_[0];
-  scans_ = {start, scanAt({8, 0, 0})};
-  map.add(scans_, 0, {});
-  map.add(scans_, 1, {linkFrom(0, {60, 0, 0})});
-  scans_[1] = scanAt({8, 0, 0});
-  const Pose2 truth{-1, 0.5, 0}, said{truth.x_m + 1.2, truth.y_m, 0};
-  const auto candidates = map.loopCandidates(scans_, scanSaidToBeAt(said, truth), 1);
-  ASSERT_EQ(candidates.size(), 1U);
-  EXPECT_EQ(candidates[0].keyframe, 0U);
-  EXPECT_TRUE(isNearly(candidates[0].T_keyframe_cur, scans_[0].T_world_robot.pose.inverse() * truth,
-                       0.4, degToRad(4)));
+ protected:
+  UncertainWay()
+  {
+    ReferenceMatch link = linkFrom(0, between(0, 1));
+    link.T_ref_cur.covariance = Eigen::Vector3d(0.25, 0.25, 0.0076).asDiagonal();
+    link.information = link.T_ref_cur.covariance.inverse();
+    map_.add(scans_, 0, {});
+    map_.add(scans_, 1, {link});
+  }
+
+  KeyframeMap map_{ReferencePolicy({})};
+};
+
+TEST_F(UncertainWay, APlaceThatTheGraphDoesNotKnowIsSearchedAndServesForNothingElse)
+{
+  map_.standAt(1, {});
+  const auto places = map_.possiblePlaces();
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places[0].keyframe, 0U);
+  EXPECT_TRUE(isNearly(places[0].T_keyframe_cur.pose, between(0, 1), 1e-9, 1e-9));
+  EXPECT_NEAR(std::sqrt(places[0].T_keyframe_cur.covariance(2, 2)), degToRad(5), degToRad(0.1));
+  EXPECT_EQ(keyframesOf(map_.around(scans_, scanAt({-1.2, 0, 0}))), Keyframes{1});
+  EXPECT_EQ(map_.nearest(scans_, scanAt({-1.2, 0, 0})), 1U);
+  EXPECT_FALSE(map_.covers(scans_, scanAt({-1.4, 0, 0})));
 }
 
-TEST_F(KeyframeMapTest, WhatIsNotFarAlongTheLinksIsNoLoopCandidate)
+TEST_F(UncertainWay, FromBeyondTheReachAPlaceIsNotSearched)
 {
-  const KeyframeMap map = mapOf(4);  // 6 m: a drift of 18 cm, which needs no search
-  EXPECT_TRUE(map.loopCandidates(scans_, scanAt({-1.2, 0, 0}), 3).empty());
+  map_.standAt(1, {{3.9, 0, 0}, Eigen::Matrix3d::Zero()});  // 5.4 m from 0; the reach is 4 + 1.5 m
+  EXPECT_EQ(map_.possiblePlaces().size(), 1U);
+  map_.standAt(1, {{4.5, 0, 0}, Eigen::Matrix3d::Zero()});
+  EXPECT_TRUE(map_.possiblePlaces().empty());
 }
 
-TEST_F(KeyframeMapTest, OnlyAKeyframeTellsHowFarTheOthersAre)
+TEST_F(UncertainWay, OnlyAKeyframeTellsWhereTheRobotIs)
 {
-  const KeyframeMap map = mapOf(1);
-  EXPECT_TRUE(map.loopCandidates(scans_, scans_[3], 3).empty());
+  map_.standAt(1, {});
+  map_.standAt(3, {});  // no keyframe: the robot stays where it was
+  EXPECT_EQ(map_.possiblePlaces().size(), 1U);
+}
+
+TEST_F(UncertainWay, ALocalMapIsOfKeyframesThatFitEachOther)
+{
+  map_.add(scans_, 2, {linkFrom(1, between(1, 2))});
+  EXPECT_EQ(map_.localMap(1, 0.04), (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(map_.localMap(0, 0.04), std::vector<std::size_t>{0});
+  EXPECT_EQ(map_.localMap(0, 2).size(), 3U);
+  EXPECT_TRUE(map_.localMap(0, 0).empty());
+}
+
+TEST_F(KeyframeMapTest, WhatIsKnownIsNotSearched)
+{
+  const KeyframeMap map = mapOf(4);
+  EXPECT_TRUE(map.possiblePlaces().empty());
 }
 
 TEST_F(KeyframeMapTest, LinksThatAgreeMoveNothing)
@@ -226,8 +261,8 @@ TEST_F(KeyframeMapTest, ALinkFromAScanThatIsNoKeyframeIsLeftOut)
 TEST_F(KeyframeMapTest, WhatIsAddedToLinksDecidesHowTheyShareAnError)
 {
   ReferenceMatch sure = linkFrom(0, {1.50, 0, 0}), unsure = linkFrom(0, {1.54, 0, 0});
-  sure.T_ref_cur.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-6).asDiagonal();
-  unsure.T_ref_cur.covariance = Eigen::Vector3d(1e-4, 1e-4, 1e-6).asDiagonal();
+  sure.information = Eigen::Vector3d(1e6, 1e6, 1e6).asDiagonal();
+  unsure.information = Eigen::Vector3d(1e4, 1e4, 1e6).asDiagonal();
   const auto positionWith = [&](double linkSigma_m)
   {
     ReferenceOptions options;

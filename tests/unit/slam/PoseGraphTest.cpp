@@ -67,11 +67,6 @@ double costOf(const std::vector<PoseLink>& links, const std::vector<Pose2>& pose
   return cost;
 }
 
-void addLength(PoseGraph& graph, std::size_t from, std::size_t to, double length_m)
-{
-  graph.add({from, to, {length_m, 0, 0}, information(0.01)});
-}
-
 double& coordinate(Pose2& pose, int k)
 {
   return k == 0 ? pose.x_m : k == 1 ? pose.y_m : pose.phi_rad;
@@ -212,22 +207,93 @@ TEST(PoseGraph, FewerThanTwoNodesAreLeftAlone)
   EXPECT_TRUE(isNearly(graph.poses()[1], {4, 5, 1}, 0, 0));
 }
 
-//     0 --2-- 1 --2-- 2      the way to 3 is 3 over the short cut, not 6 round the corner;
-//      \              |      nothing leads to 4
-//       '----3---- 3 -2'   4
-TEST(PoseGraph, DistancesAreThoseOfTheShortestWayEitherWayAlongLinks)
+//     0 ---- 1 ---- 2      each link leaves 1 cm open in x and in y, and 0.1 degrees; the short cut
+//      \           /       from 0 to 3 leaves 1 m open; nothing leads to 4
+//       '---- 3 --'    4
+class KnownNodes : public testing::Test
+{
+ protected:
+  KnownNodes()
+  {
+    for (const Pose2& pose : {Pose2{}, Pose2{2, 0, 0}, Pose2{4, 0, 0}, Pose2{2, -1, 0}, Pose2{}})
+      graph_.add(pose);
+    add(0, 1, 0.01);
+    add(1, 2, 0.01);
+    add(2, 3, 0.01);
+    add(0, 3, 1);
+  }
+
+  void add(std::size_t from, std::size_t to, double sigma_m)
+  {
+    const Pose2 T_from_to = graph_.poses()[from].inverse() * graph_.poses()[to];
+    const double variance_rad2 = std::pow(degToRad(0.1), 2);
+    graph_.add({from, to, T_from_to,
+                Eigen::Vector3d(1 / (sigma_m * sigma_m), 1 / (sigma_m * sigma_m), 1 / variance_rad2)
+                    .asDiagonal()});
+  }
+
+  PoseGraph graph_;
+};
+
+TEST_F(KnownNodes, AreReachedOnThePathThatLeavesLeastOpen)
+{
+  const auto known = graph_.known(0);
+  ASSERT_EQ(known.size(), 4U);
+  const std::vector<std::size_t> order{0, 1, 2, 3};
+  for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(known[i].node, order[i]);
+  EXPECT_TRUE(known[0].covariance.isZero());
+  const Eigen::Matrix3d& toThree = known[3].covariance;
+  EXPECT_NEAR(toThree(2, 2), 3 * std::pow(degToRad(0.1), 2), 1e-9);
+  EXPECT_NEAR(toThree(0, 0), 3e-4, 5e-5) << "by way of 1 and 2, and not by the short cut";
+}
+
+// What a heading of 0.1 degrees moves 2 m away adds to the 1 cm of each link across the way.
+TEST_F(KnownNodes, AHeadingThatIsOpenMovesWhatComesAfterIt)
+{
+  const Eigen::Matrix3d toTwo = graph_.known(0)[2].covariance;
+  EXPECT_NEAR(toTwo(0, 0), 2e-4, 1e-9);
+  EXPECT_NEAR(toTwo(1, 1), 2e-4 + std::pow(2 * degToRad(0.1), 2), 1e-9);
+}
+
+// Seen from 2, the heading of the link to 1 moves 0, 4 m away, and that of the next one by its 2 m.
+TEST_F(KnownNodes, AreKnownTheOtherWayAsWell)
+{
+  for (const PoseGraph::KnownNode& known : graph_.known(2))
+  {
+    if (known.node != 0) continue;
+    EXPECT_NEAR(known.covariance(0, 0), 2e-4, 1e-9);
+    EXPECT_NEAR(known.covariance(1, 1), 2e-4 + (16 + 4) * std::pow(degToRad(0.1), 2), 1e-9);
+  }
+}
+
+TEST_F(KnownNodes, WhatLeavesMoreOpenIsLeftOut)
+{
+  const double ofALink_m = leftOpen_m(
+      Eigen::Vector3d(1e-4, 1e-4, std::pow(degToRad(0.1), 2)).asDiagonal().toDenseMatrix());
+  EXPECT_EQ(graph_.known(0, 1.1 * ofALink_m).size(), 2U);
+  EXPECT_EQ(graph_.known(0, 1.5 * ofALink_m).size(), 3U);
+  EXPECT_EQ(graph_.known(4).size(), 1U);
+}
+
+// The link from 2 to 3 says 1 m more than the poses do: it counts for little, and so does the path.
+TEST_F(KnownNodes, ALinkThatContradictsThePosesKnowsLittle)
 {
   PoseGraph graph;
-  for (int node = 0; node < 5; ++node) graph.add(Pose2());
-  addLength(graph, 0, 1, 2);
-  addLength(graph, 1, 2, 2);
-  addLength(graph, 2, 3, 2);
-  addLength(graph, 3, 0, 3);
-  const std::vector<double> fromFirst_m = graph.distances_m(0);
-  ASSERT_EQ(fromFirst_m.size(), 5U);
-  for (const auto& [node, expected_m] : {std::pair{0, 0.0}, {1, 2.0}, {2, 4.0}, {3, 3.0}})
-    EXPECT_NEAR(fromFirst_m[static_cast<std::size_t>(node)], expected_m, 1e-12);
-  EXPECT_TRUE(std::isinf(fromFirst_m[4]));
-  EXPECT_NEAR(graph.distances_m(3)[2], 2, 1e-12);
+  graph.add(Pose2{});
+  graph.add(Pose2{1, 0, 0});
+  const Eigen::Matrix3d information = Eigen::Vector3d(1e4, 1e4, 1e5).asDiagonal();
+  graph.add({0, 1, {2, 0, 0}, information});
+  EXPECT_GT(graph.known(0)[1].covariance(0, 0), 100 * 1e-4);
+}
+
+TEST_F(KnownNodes, ALinkThatLeavesADirectionOpenLeavesItOpen)
+{
+  PoseGraph graph;
+  graph.add(Pose2{});
+  graph.add(Pose2{1, 0, 0});
+  graph.add({0, 1, {1, 0, 0}, Eigen::Vector3d(0, 1e4, 1e5).asDiagonal()});
+  const Eigen::Matrix3d covariance = graph.known(0)[1].covariance;
+  EXPECT_GT(covariance(0, 0), 1e3);
+  EXPECT_NEAR(covariance(1, 1), 1e-4, 1e-6);
 }
 }  // namespace psmks

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <psmks/slam/ReferencePolicy.h>
 
+#include <Eigen/LU>
+
 namespace psmks
 {
 namespace
@@ -159,34 +161,47 @@ TEST(ReferencePolicy, KeyframesAreLinkedToTheLastFewAndThoseOfAMapToAny)
   EXPECT_FALSE(ReferencePolicy(options).linksReferences());
 }
 
-TEST(ReferencePolicy, APlaceIsSearchedForAsFarAsTheWayMayHaveDrifted)
+Eigen::Matrix3d covarianceOf(double sigmaX_m, double sigmaY_m, double sigma_deg)
+{
+  return Eigen::Vector3d(sigmaX_m, sigmaY_m, degToRad(sigma_deg)).cwiseAbs2().asDiagonal();
+}
+
+TEST(ReferencePolicy, APoseIsKnownToADecimetreAndADegreeAndAHalf)
+{
+  EXPECT_TRUE(mapPolicy().isKnown(covarianceOf(0.09, 0.09, 1.4)));
+  EXPECT_FALSE(mapPolicy().isKnown(covarianceOf(0.01, 0.11, 0)));
+  EXPECT_FALSE(mapPolicy().isKnown(covarianceOf(0.01, 0.01, 1.6)));
+}
+
+TEST(ReferencePolicy, APlaceIsSearchedWithinThreeStandardDeviations)
 {
   ReferenceOptions options;
-  options.mapDriftShare = 0.03;
-  options.mapDriftPerMetre_rad = degToRad(0.1);
-  options.mapSpacing_m = 1;
-  const ReferencePolicy policy(options);
-  const Drift drift = policy.driftAfter(50);
-  EXPECT_NEAR(drift.displacement_m, 1.5, 1e-12);
-  EXPECT_NEAR(drift.rotation_rad, degToRad(5), 1e-12);
-  EXPECT_TRUE(policy.isLoopCandidate({2.4, 0, 0}, drift));
-  EXPECT_FALSE(policy.isLoopCandidate({2.6, 0, 0}, drift));
-  EXPECT_FALSE(policy.isLoopCandidate({0, 0, degToRad(36)}, drift));
-  EXPECT_FALSE(policy.isLoopCandidate({0, 0, 0}, policy.driftAfter(1)));  // is where it is expected
+  options.mapDistance_m = 4;
+  EXPECT_NEAR(ReferencePolicy(options).loopReach_m(covarianceOf(0.5, 2, 1)), 4 + 3 * 2, 1e-9);
 }
 
 TEST(ReferencePolicy, ALinkIsLessCertainThanItsMatchByWhatTheOptionsSay)
 {
   Eigen::Matrix3d match;
   match << 4e-6, 1e-6, 2e-7, 1e-6, 9e-6, 0, 2e-7, 0, 1e-6;
+  const Eigen::Matrix3d information = match.inverse();
   ReferenceOptions options;
   options.linkSigma_m = 0;
   options.linkSigma_rad = 0;
-  EXPECT_EQ(ReferencePolicy(options).linkCovariance(match), match);
+  EXPECT_TRUE(ReferencePolicy(options).linkInformation(information).isApprox(information, 1e-9));
   options.linkSigma_m = 0.01;
   options.linkSigma_rad = 0.002;
-  const Eigen::Matrix3d added = ReferencePolicy(options).linkCovariance(match) - match;
-  EXPECT_TRUE(added.isApprox(Eigen::Vector3d(1e-4, 1e-4, 4e-6).asDiagonal().toDenseMatrix()));
+  const Eigen::Matrix3d added =
+      ReferencePolicy(options).linkInformation(information).inverse() - match;
+  EXPECT_TRUE(added.isApprox(Eigen::Vector3d(1e-4, 1e-4, 4e-6).asDiagonal().toDenseMatrix(), 1e-9));
+}
+
+TEST(ReferencePolicy, ADirectionThatAMatchLeavesOpenIsLeftOpenByItsLink)
+{
+  const Eigen::Matrix3d information = Eigen::Vector3d(0, 1e6, 1e6).asDiagonal();
+  const Eigen::Matrix3d ofLink = mapPolicy().linkInformation(information);
+  EXPECT_EQ(ofLink(0, 0), 0);
+  EXPECT_NEAR(ofLink(1, 1), 1 / (1e-6 + 0.005 * 0.005), 1);
 }
 
 TEST(ReferencePolicy, EveryOptionStandsInTheTable)
@@ -198,7 +213,7 @@ TEST(ReferencePolicy, EveryOptionStandsInTheTable)
   table.set("reference", "link_sigma_deg", "0.5");
   EXPECT_EQ(options.linkSigma_m, 0.02);
   EXPECT_DOUBLE_EQ(options.linkSigma_rad, degToRad(0.5));
-  EXPECT_EQ(table.fields().size(), 24U);
+  EXPECT_EQ(table.fields().size(), 23U);
 }
 
 TEST(ReferencePolicy, TheNumberOfLinksIsAnOption)

@@ -335,6 +335,7 @@ class MapLoop : public testing::Test
     ReferenceOptions options;
     options.choice = choice;
     options.mapLinks = links;
+    options.loopPlaces = links;
     TrajectoryBuilder builder(std::move(oracle), options, OdometryOptions());
     for (std::size_t i = 0; i < truth_.size(); ++i)
     {
@@ -376,9 +377,6 @@ TEST_F(MapLoop, BackAtTheStartTheErrorIsThatOfTheStart)
   const TrajectoryBuilder map = driven(ReferenceChoice::Map);
   EXPECT_GT(error_m(sequential.scans().back()), 0.1);
   EXPECT_LT(error_m(map.scans().back()), 0.02);
-  const std::size_t reference = map.scans().back().decidingMatch()->reference;
-  EXPECT_LT(truth_[reference].x_m, 6) << "a scan of the first metres";
-  EXPECT_LT(reference, 12U);
 }
 
 TEST_F(MapLoop, KeyframesAreLinkedToTheLastFewOnly)
