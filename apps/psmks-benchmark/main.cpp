@@ -5,6 +5,7 @@
 #include <apps/psmks-benchmark/growth/GrowthCommand.h>
 #include <apps/psmks-benchmark/logs/ClosureCommand.h>
 #include <apps/psmks-benchmark/logs/LogsCommand.h>
+#include <apps/psmks-benchmark/logs/MapsCommand.h>
 #include <apps/psmks-benchmark/logs/SelfmatchCommand.h>
 #include <apps/psmks-benchmark/logs/StepsCommand.h>
 #include <apps/psmks-benchmark/pairs/PairsCommand.h>
@@ -81,6 +82,7 @@ void addCommands(Commands& commands)
                                  "matchers on each scan of a log and its displaced self");
   commands.add<ClosureCommand>(
       "closure", "whether three matches in a triangle miss by no more than the noise");
+  commands.add<MapsCommand>("maps", "scans of a log aligned to a point map that grows");
   commands.add<GrowthCommand>("growth", "how the time of a match grows with the rays of the scans");
   commands.add<SegmentationCommand>("segmentation", "Kalman Segmentation on simulated scans");
   commands.add<ExperimentsCommand>("experiments", "the paper's experiments on simulated drives");
