@@ -63,10 +63,9 @@ bool agree(const std::vector<LoopSearch::Recognised>& places)
 /** The link by a match of views, the scans of which do not fit each other better than that. */
 void widen(ReferenceMatch& match, const Eigen::Matrix3d& guess)
 {
-  /** Heading that leaves as much open at the end of a lever of 4 m. Definition: leftOpen_m(). */
-  constexpr double kTurned_rad = kFitting_m / 4;
+  const double turned_rad = kFitting_m / 4;  // leaves as much open, by leftOpen_m()
   const Eigen::Matrix3d fitting =
-      Eigen::Vector3d(kFitting_m * kFitting_m, kFitting_m * kFitting_m, kTurned_rad * kTurned_rad)
+      Eigen::Vector3d(kFitting_m * kFitting_m, kFitting_m * kFitting_m, turned_rad * turned_rad)
           .asDiagonal();
   match.T_ref_cur.covariance += fitting;
   match.information = informationBeyond(guess + fitting, match.T_ref_cur.covariance);
