@@ -13,6 +13,7 @@ constexpr const char* kDescription =
     "what:\n"
     "  rawlog or CARMEN log  to  .rawlog, .log or .clf (CARMEN), .pairs (scan pairs)\n"
     "  ActivMedia .map       to  .csv (its walls as segments)\n"
+    "  the noise of a log's scanner, with --sensor-report, to .ini (a sensor file) and a picture\n"
     "Inputs may be gzipped; .log.gz, .clf.gz and .pairs.gz are written gzipped, rawlogs always.";
 
 constexpr const char* kFooter =
@@ -20,7 +21,8 @@ constexpr const char* kFooter =
     "  psmks-convert fr079.log.gz fr079.rawlog\n"
     "  psmks-convert drive.rawlog drive.log.gz --sensor FRONT\n"
     "  psmks-convert drive.log drive.pairs.gz --ground-truth drive.tum --every 4\n"
-    "  psmks-convert office.map office.csv\n\n"
+    "  psmks-convert office.map office.csv\n"
+    "  psmks-convert standing.log.gz my-scanner.ini --sensor-report\n\n"
     "A rawlog holds actions and sensory frames in turn, or with --observations loose "
     "observations.\n"
     "A pair's true motion is that of the ground truth, its guess that of the odometry.\n\n"
@@ -30,7 +32,10 @@ constexpr const char* kFooter =
 void addFlags(CLI::App& app, CommandLine& c)
 {
   app.add_option("INPUT", c.input, "MRPT rawlog, CARMEN log or ActivMedia map")->required();
-  app.add_option("OUTPUT", c.output, "the file to write")->required();
+  app.add_option("OUTPUT", c.output, "the file to write; --sensor-report needs none");
+  app.add_flag("--sensor-report", c.sensorReport,
+               "print what the scans of a log tell of their scanner's noise; OUTPUT.ini gets a "
+               "sensor file, and a picture beside it");
   app.add_flag("-w,--overwrite", c.overwrite, "replace a file that is there");
   app.add_flag("--observations", c.observations, "write a rawlog of observations");
   app.add_option("--ground-truth", c.groundTruth,
@@ -49,6 +54,16 @@ void addFlags(CLI::App& app, CommandLine& c)
 void check(const CommandLine& commandLine)
 {
   const OutputKind kind = commandLine.outputKind();
+  if (commandLine.sensorReport)
+  {
+    if (!commandLine.output.empty() && kind != OutputKind::Sensor)
+      throw CLI::ValidationError(
+          "OUTPUT", "'" + commandLine.output + "' does not end in .ini, as a sensor file does");
+    return;
+  }
+  if (commandLine.output.empty()) throw CLI::RequiredError("OUTPUT");
+  if (kind == OutputKind::Sensor)
+    throw CLI::ValidationError("OUTPUT", "a sensor file needs --sensor-report");
   if (kind == OutputKind::Unknown)
     throw CLI::ValidationError("OUTPUT", "'" + commandLine.output +
                                              "' ends neither in .rawlog, .log, .clf, .pairs nor "
@@ -66,6 +81,7 @@ OutputKind CommandLine::outputKind() const
   if (ending == ".rawlog") return OutputKind::Rawlog;
   if (ending == ".log" || ending == ".clf") return OutputKind::Carmen;
   if (ending == ".pairs") return OutputKind::Pairs;
+  if (ending == ".ini") return OutputKind::Sensor;
   return ending == ".csv" ? OutputKind::Segments : OutputKind::Unknown;
 }
 

@@ -15,6 +15,7 @@ enum class OutputKind
   Carmen,    //!< .log, .clf
   Pairs,     //!< .pairs
   Segments,  //!< .csv
+  Sensor,    //!< .ini
   Unknown
 };
 
@@ -28,6 +29,7 @@ struct CommandLine
   int maxScans = 0;  //!< 0: all
   bool observations = false;
   bool overwrite = false;
+  bool sensorReport = false;
 
   OutputKind outputKind() const;
 };

@@ -57,8 +57,9 @@ ExitCode convertLog(const CommandLine& commandLine)
   } while (++scans != commandLine.maxScans && reader->next(frame));
 
   report(commandLine.input, *reader);
-  std::cout << commandLine.output << ": " << sink->finish() << " of '" << *reader->sensorLabel()
-            << "'\n";
+  const std::string& made = commandLine.output.empty() ? commandLine.input : commandLine.output;
+  const std::string content = sink->finish();
+  std::cout << made << ": " << content << " of '" << *reader->sensorLabel() << "'\n";
   if (reader->damage().empty()) return kOk;
   complain(commandLine.input, reader->damage());
   return kInputDamaged;

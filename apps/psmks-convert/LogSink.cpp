@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-convert/LogSink.h>
 #include <apps/psmks-convert/PairsSink.h>
+#include <apps/psmks-convert/SensorSink.h>
 #include <apps/support/TextFile.h>
 #include <psmks/logs/CarmenWriter.h>
 #include <psmks/logs/RawlogWriter.h>
@@ -60,6 +61,7 @@ class CarmenSink : public LogSink
 
 std::unique_ptr<LogSink> makeLogSink(const CommandLine& c)
 {
+  if (c.sensorReport) return std::make_unique<SensorSink>(c.output);
   switch (c.outputKind())
   {
     case OutputKind::Rawlog:

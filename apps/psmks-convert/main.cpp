@@ -13,6 +13,7 @@ namespace
 void checkOutput(const CommandLine& commandLine)
 {
   const std::string& output = commandLine.output;
+  if (output.empty()) return;
   std::error_code ignored;
   if (std::filesystem::equivalent(commandLine.input, output, ignored))
     throw ProgramError(kUsage, "'" + output + "' is the input");

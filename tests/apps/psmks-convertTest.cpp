@@ -222,4 +222,26 @@ TEST_F(PsmksConvert, HelpShowsExamples)
   EXPECT_EQ(run("--version").output.rfind("psmks-convert 0.", 0), 0u);
 }
 }  // namespace
+TEST_F(PsmksConvert, ReportsTheNoiseOfAScanner)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  const ProgramRun told = run(path("room.rawlog") + " --sensor-report");
+  EXPECT_EQ(told.exitCode, 0) << told.errors;
+  EXPECT_NE(told.output.find("straight walls"), std::string::npos) << told.output;
+  EXPECT_NE(told.output.find("odd minus even rays"), std::string::npos) << told.output;
+  EXPECT_NE(told.output.find("the scanner never stood"), std::string::npos) << told.output;
+
+  const ProgramRun written = run(path("room.rawlog") + " " + path("room.ini") + " --sensor-report");
+  EXPECT_EQ(written.exitCode, 0) << written.errors;
+  EXPECT_NE(fileText(path("room.ini")).find("range_sigma_m = "), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(path("room.png")));
+}
+
+TEST_F(PsmksConvert, ASensorFileNeedsTheReport)
+{
+  writeGzipped(asFrames(log_), path("room.rawlog"));
+  expectError(run(path("room.rawlog") + " " + path("room.ini")), 1, {"--sensor-report"});
+  expectError(run(path("room.rawlog") + " " + path("room.csv") + " --sensor-report"), 1, {".ini"});
+  expectError(run(path("room.rawlog")), 1, {"OUTPUT is required"});
+}
 }  // namespace psmks
