@@ -43,6 +43,23 @@ TEST_F(OpenLogTest, TheSensorIsHandedOn)
   EXPECT_EQ(reader->scansOfSensors().at("FLASER"), 1);
 }
 
+//  the scanner SAFETY gave the first scan of the log, and FRONT all the others
+TEST_F(OpenLogTest, OfSeveralSensorsTheOneWithMostScansIsRead)
+{
+  RoomLog log(6);
+  log.steps[0].scan->sensorLabel = "SAFETY";
+  writeGzipped(asFrames(log), path_);
+  LaserFrame frame;
+  const auto reader = openLog(path_);
+  int scans = 0;
+  while (reader->next(frame)) ++scans;
+  EXPECT_EQ(scans, 5);
+  EXPECT_EQ(reader->sensorLabel(), "FRONT");
+  LogOptions options;
+  options.sensorLabel = "SAFETY";
+  EXPECT_TRUE(openLog(path_, options)->next(frame));
+}
+
 TEST_F(OpenLogTest, AMissingFileGivesAReaderThatSaysSo)
 {
   EXPECT_NE(openLog(path_)->damage().find("no such file"), std::string::npos);
