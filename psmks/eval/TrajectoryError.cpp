@@ -11,7 +11,8 @@ TrajectoryError trajectoryError(const Trajectory& estimate, const Trajectory& tr
   const auto errors =
       errorStatistics(absoluteErrors(common, alignAtFirstPose(common)), kSuccessLimit);
   const ErrorStatistics &position = errors.translation_m, &heading = errors.rotation_rad;
+  const auto aligned = errorStatistics(absoluteErrors(common, align(common)), kSuccessLimit);
   return {errors.count, position.mean, position.rms, position.max,
-          heading.mean, heading.rms,   heading.max};
+          heading.mean, heading.rms,   heading.max,  aligned.translation_m.mean};
 }
 }  // namespace psmks

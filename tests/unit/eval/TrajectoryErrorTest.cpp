@@ -20,6 +20,7 @@ TEST(TrajectoryErrorTest, TheErrorIsMeasuredFromTheFirstCommonPose)
   EXPECT_NEAR(error.rms_m, 0.3 / std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(error.max_m, 0.3, 1e-12);
   EXPECT_NEAR(error.max_rad, 0.1, 1e-12);
+  EXPECT_NEAR(error.alignedMean_m, 0.4 / 3, 1e-12) << "moved aside by 0.1 m";
 }
 
 TEST(TrajectoryErrorTest, TheTruthIsInterpolatedButNotAcrossGaps)
