@@ -3,6 +3,7 @@
 #include <mrpt/system/os.h>
 #include <psmks/geometry/Angle.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -72,6 +73,28 @@ Json logJson(const LogSummary& log)
           {"stamps_made_up", log.stampsMadeUp}};
 }
 
+/** Says where the odometry jumps; nothing where it does not. */
+void printJumps(std::ostream& out, const std::vector<OdometryJump>& jumps)
+{
+  /** Most jumps that are told one by one. Unit: jumps. Definition: a few lines. */
+  constexpr std::size_t kMost = 3;
+  for (std::size_t i = 0; i < std::min(kMost, jumps.size()); ++i)
+    out << "odometry jumps   by " << jumps[i].distance_m << " m, " << radToDeg(jumps[i].angle_rad)
+        << " deg at scan " << jumps[i].scan << "; the scans bridge it\n";
+  if (jumps.size() > kMost)
+    out << "                 and " << jumps.size() - kMost << " times more\n";
+}
+
+Json jumpsJson(const std::vector<OdometryJump>& jumps)
+{
+  Json json = Json::array();
+  for (const OdometryJump& jump : jumps)
+    json.push_back({{"scan", jump.scan},
+                    {"distance_m", jump.distance_m},
+                    {"angle_deg", radToDeg(jump.angle_rad)}});
+  return json;
+}
+
 void printErrors(std::ostream& out, const TrajectoryError& e)
 {
   out << "position error   mean " << e.mean_m << " m, rms " << e.rms_m << " m, max " << e.max_m
@@ -115,6 +138,7 @@ void printSummary(std::ostream& out, const RunSummary& run)
   out << "matches          " << s.matches << " by " << s.matcher << " against " << s.references
       << " reference scans: " << listed(s.usable) << '\n';
   out << "failures         " << listed(s.failed) << '\n';
+  printJumps(out, s.odometryJumps);
   out << "path length      " << s.pathLength_m << " m\n";
   if (s.matches > 0)
     out << "time per match   median " << kMsPerSecond * s.matchMedian_s << " ms, 95 % below "
@@ -141,6 +165,7 @@ void writeSummaryJson(std::ostream& out, const RunSummary& run, SlamOptions& opt
             {"matches_by_status", s.usable},
             {"failures", s.failures()},
             {"failures_by_status", s.failed},
+            {"odometry_jumps", jumpsJson(s.odometryJumps)},
             {"path_length_m", s.pathLength_m},
             {"match_median_ms", numberOrNull(kMsPerSecond * s.matchMedian_s)},
             {"match_p95_ms", numberOrNull(kMsPerSecond * s.matchP95_s)},

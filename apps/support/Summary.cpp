@@ -65,6 +65,7 @@ Summary summarise(const std::vector<PosedScan>& scans, const std::optional<Traje
   if (!scans.empty()) --summary.unmatched;
   addTimes(scans, summary);
   summary.occupiedCells = occupiedCells(scans);
+  summary.odometryJumps = odometryJumps(scans);
   if (groundTruth) summary.error = errorAgainst(*groundTruth, scans);
   return summary;
 }

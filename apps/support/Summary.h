@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <apps/support/OdometryJumps.h>
 #include <psmks/eval/TrajectoryError.h>
 #include <psmks/slam/TrajectoryBuilder.h>
 
@@ -37,6 +38,7 @@ struct Summary
   double matchMedian_s, matchP95_s;
   double segmentationMedian_s;
   std::size_t occupiedCells = 0;
+  std::vector<OdometryJump> odometryJumps;
   std::optional<TrajectoryError> error;  //!< errors if there is a ground truth
 
   std::size_t failures() const;
