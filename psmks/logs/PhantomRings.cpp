@@ -11,28 +11,30 @@ namespace psmks
 namespace
 {
 /** Width of a bin. Definition: the unit of coarse scanners. */
-constexpr double kBin_m = 0.01;
+constexpr double kRingBin_m = 0.01;
 
 /** Range from which on readings are not looked at. Definition: farther than 2D scanners see. */
-constexpr double kFarthest_m = 200;
+constexpr double kFarthestReading_m = 200;
 
 /** Widths of bands that are tried, in bins. Unit: bins. Definition: from one value to values that
  * are scattered over a metre. */
-constexpr std::array<std::size_t, 7> kWidths{1, 2, 5, 10, 20, 50, 100};
+constexpr std::array<std::size_t, 7> kRingWidths{1, 2, 5, 10, 20, 50, 100};
 }  // namespace
 
 void PhantomRings::add(const mrpt::obs::CObservation2DRangeScan& scan)
 {
-  if (centimetres_.empty()) centimetres_.resize(static_cast<std::size_t>(kFarthest_m / kBin_m) + 1);
+  if (centimetres_.empty())
+    centimetres_.resize(static_cast<std::size_t>(kFarthestReading_m / kRingBin_m) + 1);
   ++scans_;
   bearings_rad_ += scan.aperture;
   for (std::size_t ray = 0; ray < scan.getScanSize(); ++ray)
   {
     const double range_m = scan.getScanRange(ray);
-    const bool isReading = scan.getScanRangeValidity(ray) && range_m > 0 && range_m < kFarthest_m &&
+    const bool isReading = scan.getScanRangeValidity(ray) && range_m > 0 &&
+                           range_m < kFarthestReading_m &&
                            (scan.maxRange <= 0 || range_m < scan.maxRange);
     if (!isReading) continue;
-    ++centimetres_[static_cast<std::size_t>(range_m / kBin_m)];
+    ++centimetres_[static_cast<std::size_t>(range_m / kRingBin_m)];
     ++readings_;
   }
 }
@@ -75,8 +77,8 @@ bool PhantomRings::standsOut(std::size_t first, std::size_t width) const
                                : 0.0);
     if (count < kTimes * beside) return false;
   }
-  const double range_m = kBin_m * (static_cast<double>(first) + 0.5);
-  const double width_m = kBin_m * static_cast<double>(width);
+  const double range_m = kRingBin_m * (static_cast<double>(first) + 0.5);
+  const double width_m = kRingBin_m * static_cast<double>(width);
   const double ofAWall_rad = 2 * std::sqrt(2 * width_m / range_m);
   const double perReading_rad = bearings_rad_ / std::max(readings_, 1.0);
   return count * perReading_rad > kWalls * ofAWall_rad * scans_;
@@ -90,13 +92,13 @@ std::vector<RangeBand> PhantomRings::bands() const
   std::vector<RangeBand> bands;
   if (scans_ < kFewestScans) return bands;
   std::vector<bool> isTaken(centimetres_.size(), false);
-  for (const std::size_t width : kWidths)
+  for (const std::size_t width : kRingWidths)
     for (std::size_t first = 0; first + width <= centimetres_.size(); first += (width + 1) / 2)
     {
       const auto begin = isTaken.begin() + static_cast<std::ptrdiff_t>(first);
       const auto end = begin + static_cast<std::ptrdiff_t>(width);
       if (std::find(begin, end, true) != end || !standsOut(first, width)) continue;
-      const double bin_m = kBin_m, from = static_cast<double>(first);
+      const double bin_m = kRingBin_m, from = static_cast<double>(first);
       std::fill(begin, end, true);
       bands.push_back({bin_m * from, bin_m * (from + static_cast<double>(width)),
                        static_cast<int>(countBetween(first, first + width))});
