@@ -28,8 +28,9 @@ struct RangeBand
  *              |# # # # # # # # # #      a flat wall at its range could
  *              +--------------#---> range
  *
- * A band is at most a twentieth of its range wide. A wall that a robot follows at a constant distance r has readings between r and r + w at no more
- * than 2 sqrt(2 w / r) of the bearings, and a third as many between r + 2 w and r + 3 w. */
+ * A band is at most a twentieth of its range wide. A wall that a robot follows at a constant
+ * distance r has readings between r and r + w at no more than 2 sqrt(2 w / r) of the bearings, and
+ * a third as many between r + 2 w and r + 3 w. */
 class PhantomRings
 {
  public:
