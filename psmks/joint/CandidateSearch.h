@@ -44,8 +44,9 @@ class CandidateSearch
    *  from then on the match goes on as without a covariance. */
   void searchWide();
 
-  /** Refines the guess and all optima of CorrelativeSearch within three standard deviations of it.
-   *  Without a covariance that is the window of searchNear(). */
+  /** Refines the guess and the optima of CorrelativeSearch within three standard deviations of it,
+   * as many as in searchWide(), whether one of them is convincing or not. Without a covariance that
+   * is the window of searchNear(). */
   void searchWithinCovariance();
 
   /** The refined pose with the highest posterior; its score is -1 where no start was associated

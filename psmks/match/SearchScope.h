@@ -20,8 +20,9 @@ enum class SearchScope
 
   /** The whole window that the covariance of the guess leaves open, to three standard deviations,
    *  however wide, and nothing beyond: for a guess that may be far off and whose covariance says by
-   *  how much, such as that of a loop. All optima of the window are refined, none ends the search,
-   *  so that places that look alike come out as MatchResult::ambiguity. */
+   *  how much, such as that of a loop. The best optima of the window are refined, up to twice
+   *  JointOptions::refinedHypotheses, and none ends the search, so that places that look alike come
+   *  out as MatchResult::ambiguity. */
   WithinCovariance
 };
 }  // namespace psmks
