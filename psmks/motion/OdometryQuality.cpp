@@ -14,7 +14,8 @@ void OdometryQuality::learn(const UncertainPose& measured, const Pose2& matched)
   constexpr double kMost = 9;
   const Eigen::Vector3d error(matched.x_m - measured.pose.x_m, matched.y_m - measured.pose.y_m,
                               wrapAngle(matched.phi_rad - measured.pose.phi_rad));
-  const double square = error.dot(measured.covariance.llt().solve(error)) / 3;
+  const double square =
+      error.dot(measured.covariance.llt().solve(error)) / static_cast<double>(error.size());
   sum_ += std::min(square, kMost);
   ++count_;
 }

@@ -60,6 +60,7 @@ const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
 /** The measured motion, or the last one going on, with its covariance. */
 UncertainPose TrajectoryBuilder::motionBy(const std::optional<Pose2>& odometry, double stamp_s)
 {
+  isMotionMeasured_ = odometry.has_value();
   UncertainPose steady = steadyMotion_.untilScan(stamp_s);
   if (!odometry) return steady;
   return {*odometry, odometryCovariance(*odometry, odometryOptions_)};
@@ -73,7 +74,7 @@ void TrajectoryBuilder::learnMotion(const UncertainPose& predicted)
   const bool isPreviousKnown = previous().isMatched() || currentIndex() == 1;
   if (!isPreviousKnown) return;
   const Pose2& measured = current().T_last_robot.pose;
-  odometryQuality_.learn(predicted, measured);
+  if (isMotionMeasured_) odometryQuality_.learn(predicted, measured);
   const MatchResult& result = current().decidingMatch()->result;
   if (!result.guessGivenUp && !result.contradictsGuess()) steadyMotion_.learn(measured);
 }
@@ -187,7 +188,7 @@ void TrajectoryBuilder::place(const UncertainPose& T_ref_cur)
 void TrajectoryBuilder::followPrediction()
 {
   UncertainPose motion = current().T_last_robot;
-  motion.covariance *= odometryQuality_.varianceFactor();
+  if (isMotionMeasured_) motion.covariance *= odometryQuality_.varianceFactor();
   evidence_.T_keyframe_last = composed(evidence_.T_keyframe_last, motion);
 }
 

@@ -37,7 +37,8 @@ namespace psmks
  *    failure of the reference.
  * 4. Place: the match places the scan, or where all failed the prediction.
  * 5. Replace the reference by the scan, if ReferencePolicy says so. A keyframe is matched against
- *    the keyframes around it, and the matches link it into a graph of poses (KeyframeMap).
+ *    the keyframes around it, and the matches link it into a graph of poses (KeyframeMap). With a
+ *    map places that the robot may have come back to are searched, too (LoopSearch).
  *
  * The scans are those of one scanner: what earlier ones have shown of its noise counts for later
  * ones, see PreparedScans. */
@@ -102,6 +103,7 @@ class TrajectoryBuilder
   LoopSearch loopSearch_{policy_};
   SteadyMotion steadyMotion_;
   OdometryQuality odometryQuality_;
+  bool isMotionMeasured_ = false;  //!< whether odometry tells the motion to the current scan
   TurnRate turnRate_;
   std::vector<PosedScan> scans_;
   std::size_t reference_ = 0;
