@@ -1,24 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/OdometryJumps.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace psmks
 {
-namespace
-{
-/** Whether the log has odometry, which then moved at some time. */
-bool hasOdometry(const std::vector<PosedScan>& scans)
-{
-  return std::any_of(scans.begin(), scans.end(),
-                     [](const PosedScan& scan) {
-                       return !scan.T_world_odometry.translation().isZero() ||
-                              scan.T_world_odometry.phi_rad != 0;
-                     });
-}
-}  // namespace
-
 std::vector<OdometryJump> odometryJumps(const std::vector<PosedScan>& scans)
 {
   /** Errors of odometry that are jumps. Definition: more than wheels slip between two scans. */

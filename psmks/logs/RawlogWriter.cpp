@@ -18,20 +18,13 @@ using mrpt::obs::CSensoryFrame;
 
 namespace
 {
-bool isReturn(const Scan& scan, std::size_t ray)
-{
-  const double range_m = scan.range_m[ray];
-  const bool withinLimit = scan.maxRange_m <= 0 || range_m < scan.maxRange_m;
-  return range_m > 0 && withinLimit && (scan.valid.empty() || scan.valid[ray]);
-}
-
 void assignRanges(const Scan& scan, CObservation2DRangeScan& observation)
 {
   const float noReturn_m = static_cast<float>(scan.maxRange_m);
   observation.resizeScanAndAssign(scan.range_m.size(), noReturn_m, false);
   for (std::size_t ray = 0; ray < scan.range_m.size(); ++ray)
   {
-    if (!isReturn(scan, ray)) continue;
+    if (!isReturn(scan, static_cast<int>(ray))) continue;
     observation.setScanRange(ray, static_cast<float>(scan.range_m[ray]));
     observation.setScanRangeValidity(ray, true);
   }

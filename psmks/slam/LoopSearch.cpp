@@ -63,7 +63,7 @@ bool agree(const std::vector<LoopSearch::Recognised>& places)
 /** The link by a match of views, the scans of which do not fit each other better than that. */
 void widen(ReferenceMatch& match, const Eigen::Matrix3d& guess)
 {
-  const double turned_rad = kFitting_m / 4;  // leaves as much open, by leftOpen_m()
+  const double turned_rad = kFitting_m / kLeftOpenLever_m;
   const Eigen::Matrix3d fitting =
       Eigen::Vector3d(kFitting_m * kFitting_m, kFitting_m * kFitting_m, turned_rad * turned_rad)
           .asDiagonal();

@@ -106,10 +106,8 @@ double kernelWeight(const PoseLink& link, const Eigen::Vector3d& error)
 /** leftOpen_m() squared. */
 double leftOpen_m2(const Eigen::Matrix3d& covariance)
 {
-  /** Distance at which an error of a heading counts as a displacement. Definition: about the
-   * distance of two keyframes that are matched against each other. */
-  constexpr double kLever_m = 4;
-  return covariance(0, 0) + covariance(1, 1) + kLever_m * kLever_m * covariance(2, 2);
+  return covariance(0, 0) + covariance(1, 1) +
+         kLeftOpenLever_m * kLeftOpenLever_m * covariance(2, 2);
 }
 
 /** The covariance of a link, which is very wide in directions that it leaves open. */

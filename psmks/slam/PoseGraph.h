@@ -23,8 +23,12 @@ struct PoseLink
  * `from`, in metres and radians. */
 Eigen::Vector3d linkError(const PoseLink& link, const Pose2& from, const Pose2& to);
 
+/** Distance at which an error of a heading counts as a displacement. Definition: about the distance
+ * of two keyframes that are matched against each other. */
+constexpr double kLeftOpenLever_m = 4;
+
 /** What a pose leaves open, as one length: the root of its variances, a heading counted by what it
- * moves at the end of a lever of 4 m, about the distance of keyframes that are matched.
+ * moves at the end of kLeftOpenLever_m.
  *  @param covariance of (x, y, phi): m^2, m rad, rad^2 */
 double leftOpen_m(const Eigen::Matrix3d& covariance);
 

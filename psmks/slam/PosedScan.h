@@ -5,6 +5,7 @@
 #include <psmks/geometry/UncertainPose.h>
 #include <psmks/match/MatchResult.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -71,4 +72,14 @@ struct PosedScan
   double stamp_s() const { return scan.stamp_s; }
   Pose2 T_world_sensor() const { return T_world_robot.pose * T_robot_sensor; }
 };
+
+/** Whether the odometry of a log moved at some time; a log without odometry has none that did. */
+inline bool hasOdometry(const std::vector<PosedScan>& scans)
+{
+  return std::any_of(scans.begin(), scans.end(),
+                     [](const PosedScan& scan) {
+                       return !scan.T_world_odometry.translation().isZero() ||
+                              scan.T_world_odometry.phi_rad != 0;
+                     });
+}
 }  // namespace psmks

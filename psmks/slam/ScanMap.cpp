@@ -2,8 +2,6 @@
 #include <psmks/segmentation/Segmentation.h>
 #include <psmks/slam/ScanMap.h>
 
-#include <algorithm>
-
 namespace psmks
 {
 namespace
@@ -20,15 +18,6 @@ void addWalls(const SegmentedScan& scan, const Pose2& T_world_sensor, ScanMap& m
     map.walls.push_back({T_world_sensor * segment.firstEnd_m, T_world_sensor * segment.lastEnd_m,
                          segment.rays, segment.sigma_m});
 }
-
-bool hasMoved(const std::vector<PosedScan>& scans)
-{
-  return std::any_of(scans.begin(), scans.end(),
-                     [](const PosedScan& scan) {
-                       return !scan.T_world_odometry.translation().isZero() ||
-                              scan.T_world_odometry.phi_rad != 0;
-                     });
-}
 }  // namespace
 
 ScanMap makeScanMap(const std::vector<PosedScan>& scans, const MatcherOptions& options)
@@ -36,7 +25,7 @@ ScanMap makeScanMap(const std::vector<PosedScan>& scans, const MatcherOptions& o
   ScanMap map;
   SegmentedScan segmented;
   SegmentationBuffers buffers;
-  const bool withOdometry = hasMoved(scans);
+  const bool withOdometry = hasOdometry(scans);
   for (const auto& posed : scans)
   {
     segmentScan(posed.scan, options.preprocessing, options.segmentation, buffers, segmented);
