@@ -9,9 +9,11 @@ namespace psmks
 {
 namespace
 {
-Pose2 robotSeenFrom(const PosedScan& keyframe, const PosedScan& current)
+/** How far two robots are apart and turned, in the axes of the world. */
+Pose2 apart(const PosedScan& keyframe, const PosedScan& current)
 {
-  return keyframe.T_world_robot.pose.inverse() * current.T_world_robot.pose;
+  const Pose2 &a = keyframe.T_world_robot.pose, &b = current.T_world_robot.pose;
+  return {b.x_m - a.x_m, b.y_m - a.y_m, wrapAngle(b.phi_rad - a.phi_rad)};
 }
 }  // namespace
 
@@ -20,15 +22,15 @@ std::optional<std::size_t> KeyframeMap::nearest(const std::vector<PosedScan>& sc
 {
   std::optional<std::size_t> best;
   double bestDistance = 0;
-  for (const Keyframe& keyframe : keyframes_)
+  for (const PoseGraph::KnownNode& keyframe : near_)
   {
-    const PosedScan& reference = scans[keyframe.scan];
-    const Pose2 T_keyframe_cur = robotSeenFrom(reference, current);
-    if (!policy_.isWithinReach(T_keyframe_cur) || !isKnown(keyframe)) continue;
-    const double distance = policy_.normalizedDistance(T_keyframe_cur);
+    const PosedScan& reference = scans[scanOf_[keyframe.node]];
+    const Pose2 between = apart(reference, current);
+    if (!policy_.isWithinReach(between)) continue;
+    const double distance = policy_.normalizedDistance(between);
     if (best && distance >= bestDistance) continue;
-    if (!sawEnough(reference, current)) continue;
-    best = keyframe.scan;
+    if (!isKnown(keyframe) || !sawEnough(reference, current)) continue;
+    best = scanOf_[keyframe.node];
     bestDistance = distance;
   }
   return best;
@@ -38,13 +40,14 @@ std::vector<KeyframeMap::ExpectedKeyframe> KeyframeMap::around(const std::vector
                                                                const PosedScan& current) const
 {
   std::vector<ExpectedKeyframe> expected;
-  for (std::size_t k = policy_.firstLinkable(keyframes_.size()); k < keyframes_.size(); ++k)
+  for (const PoseGraph::KnownNode& keyframe : near_)
   {
-    const PosedScan& reference = scans[keyframes_[k].scan];
-    const Pose2 T_keyframe_cur = robotSeenFrom(reference, current);
-    if (policy_.isWithinReach(T_keyframe_cur) && isKnown(keyframes_[k]) &&
+    const PosedScan& reference = scans[scanOf_[keyframe.node]];
+    if (keyframe.node >= policy_.firstLinkable(scanOf_.size()) &&
+        policy_.isWithinReach(apart(reference, current)) && isKnown(keyframe) &&
         sawEnough(reference, current))
-      expected.push_back({keyframes_[k].scan, T_keyframe_cur});
+      expected.push_back({scanOf_[keyframe.node],
+                          reference.T_world_robot.pose.inverse() * current.T_world_robot.pose});
   }
   const auto isNearer = [this](const ExpectedKeyframe& a, const ExpectedKeyframe& b)
   {
@@ -61,42 +64,44 @@ void KeyframeMap::standAt(std::size_t keyframe, const UncertainPose& T_keyframe_
   if (!node) return;
   T_standing_cur_ = T_keyframe_cur;
   const bool isUpToDate =
-      !covariances_.empty() && *node == standingAt_ && linksThen_ == graph_.links().size();
+      !near_.empty() && *node == standingAt_ && linksThen_ == graph_.links().size();
   if (isUpToDate) return;
   standingAt_ = *node;
   linksThen_ = graph_.links().size();
-  covariances_.assign(keyframes_.size(), std::nullopt);
-  for (const PoseGraph::KnownNode& known : graph_.known(*node))
-    covariances_[known.node] = known.covariance;
+  near_ = graph_.known(*node, policy_.mostOpen_m());
+  std::sort(near_.begin(), near_.end(),
+            [](const PoseGraph::KnownNode& a, const PoseGraph::KnownNode& b)
+            { return a.node < b.node; });
 }
 
-/** Where the graph expects the current scan, seen from a keyframe; none where no links lead there.
- */
-std::optional<UncertainPose> KeyframeMap::expectedFrom(const Keyframe& keyframe) const
+/** Where the graph expects the current scan, seen from a keyframe.
+ *  @param keyframe as the graph knows it from where the scan is known */
+UncertainPose KeyframeMap::expectedFrom(const PoseGraph::KnownNode& keyframe) const
 {
-  if (keyframe.node >= covariances_.size() || !covariances_[keyframe.node]) return std::nullopt;
   const UncertainPose T_standing_keyframe{
-      graph_.poses()[standingAt_].inverse() * graph_.poses()[keyframe.node],
-      *covariances_[keyframe.node]};
+      graph_.poses()[standingAt_].inverse() * graph_.poses()[keyframe.node], keyframe.covariance};
   return seenFrom(T_standing_keyframe, T_standing_cur_);
 }
 
-bool KeyframeMap::isKnown(const Keyframe& keyframe) const
+bool KeyframeMap::isKnown(const PoseGraph::KnownNode& keyframe) const
 {
-  const auto expected = expectedFrom(keyframe);
-  return expected && policy_.isKnown(expected->covariance);
+  return policy_.isKnown(expectedFrom(keyframe).covariance);
 }
 
 std::vector<KeyframeMap::UncertainKeyframe> KeyframeMap::possiblePlaces() const
 {
   std::vector<UncertainKeyframe> places;
-  for (const Keyframe& keyframe : keyframes_)
+  if (scanOf_.empty()) return places;
+  for (const PoseGraph::KnownNode& keyframe : graph_.known(standingAt_))
   {
-    const auto expected = expectedFrom(keyframe);
-    if (!expected || policy_.isKnown(expected->covariance)) continue;
-    if (expected->pose.translation().norm() < policy_.loopReach_m(expected->covariance))
-      places.push_back({keyframe.scan, *expected});
+    const UncertainPose expected = expectedFrom(keyframe);
+    if (!policy_.isKnown(expected.covariance) &&
+        expected.pose.translation().norm() < policy_.loopReach_m(expected.covariance))
+      places.push_back({scanOf_[keyframe.node], expected});
   }
+  std::sort(places.begin(), places.end(),
+            [](const UncertainKeyframe& a, const UncertainKeyframe& b)
+            { return a.keyframe < b.keyframe; });
   return places;
 }
 
@@ -112,7 +117,7 @@ std::vector<std::size_t> KeyframeMap::localMap(std::size_t keyframe, double most
   {
     const double apart_m =
         (graph_.poses()[known.node].translation() - graph_.poses()[*centre].translation()).norm();
-    near.emplace_back(apart_m, keyframes_[known.node].scan);
+    near.emplace_back(apart_m, scanOf_[known.node]);
   }
   std::sort(near.begin(), near.end());
   if (near.size() > kMost) near.resize(kMost);
@@ -124,13 +129,13 @@ std::vector<std::size_t> KeyframeMap::localMap(std::size_t keyframe, double most
 
 bool KeyframeMap::covers(const std::vector<PosedScan>& scans, const PosedScan& current) const
 {
-  const auto coversIt = [&](const Keyframe& keyframe)
+  const auto coversIt = [&](const PoseGraph::KnownNode& keyframe)
   {
-    const PosedScan& reference = scans[keyframe.scan];
-    return policy_.isCovered(robotSeenFrom(reference, current)) && isKnown(keyframe) &&
+    const PosedScan& reference = scans[scanOf_[keyframe.node]];
+    return policy_.isCovered(apart(reference, current)) && isKnown(keyframe) &&
            sawEnough(reference, current);
   };
-  return std::any_of(keyframes_.begin(), keyframes_.end(), coversIt);
+  return std::any_of(near_.begin(), near_.end(), coversIt);
 }
 
 bool KeyframeMap::sawEnough(const PosedScan& keyframe, const PosedScan& current) const
@@ -142,9 +147,9 @@ bool KeyframeMap::sawEnough(const PosedScan& keyframe, const PosedScan& current)
 /** The node of a scan in the graph; none where the scan is no keyframe. */
 std::optional<std::size_t> KeyframeMap::nodeOf(std::size_t scan) const
 {
-  for (const Keyframe& keyframe : keyframes_)
-    if (keyframe.scan == scan) return keyframe.node;
-  return std::nullopt;
+  const auto found = std::lower_bound(scanOf_.begin(), scanOf_.end(), scan);
+  if (found == scanOf_.end() || *found != scan) return std::nullopt;
+  return static_cast<std::size_t>(found - scanOf_.begin());
 }
 
 void KeyframeMap::add(std::vector<PosedScan>& scans, std::size_t index,
@@ -162,7 +167,7 @@ void KeyframeMap::add(std::vector<PosedScan>& scans, std::size_t index,
    * measured. */
   constexpr std::size_t kRecentNodes = 30;
   const std::size_t node = graph_.add(scans[index].T_world_robot.pose);
-  keyframes_.push_back({index, node});
+  scanOf_.push_back(index);
   double contradiction_m = 0;
   for (const ReferenceMatch& link : links)
     if (const auto from = nodeOf(link.reference))
@@ -190,7 +195,7 @@ void KeyframeMap::optimise(std::vector<PosedScan>& scans) { optimise(scans, 0); 
 void KeyframeMap::optimise(std::vector<PosedScan>& scans, std::size_t firstFree)
 {
   graph_.optimise(firstFree);
-  for (const Keyframe& keyframe : keyframes_)
-    scans[keyframe.scan].T_world_robot.pose = graph_.poses()[keyframe.node];
+  for (std::size_t node = firstFree; node < scanOf_.size(); ++node)
+    scans[scanOf_[node]].T_world_robot.pose = graph_.poses()[node];
 }
 }  // namespace psmks

@@ -81,6 +81,7 @@ class KeyframeMap
    * the poses by more than 1 cm, a heading error counted at a distance of 2 m, the poses of the
    * last keyframes are optimised, and those of all keyframes where it is more than 5 cm. A smaller
    * contradiction waits for the next link or for optimise().
+   *  @param index greater than those of all keyframes so far
    *  @param links poses of the scan seen from other scans; those from scans that are no keyframes
    * are left out */
   void add(std::vector<PosedScan>& scans, std::size_t index,
@@ -90,25 +91,19 @@ class KeyframeMap
   void optimise(std::vector<PosedScan>& scans);
 
  private:
-  struct Keyframe
-  {
-    std::size_t scan;
-    std::size_t node;
-  };
-
   bool sawEnough(const PosedScan& keyframe, const PosedScan& current) const;
-  bool isKnown(const Keyframe& keyframe) const;
-  std::optional<UncertainPose> expectedFrom(const Keyframe& keyframe) const;
+  bool isKnown(const PoseGraph::KnownNode& keyframe) const;
+  UncertainPose expectedFrom(const PoseGraph::KnownNode& keyframe) const;
   std::optional<std::size_t> nodeOf(std::size_t scan) const;
   double addLink(const ReferenceMatch& link, std::size_t from, std::size_t to);
   void optimise(std::vector<PosedScan>& scans, std::size_t firstFree);
 
   ReferencePolicy policy_;
   PoseGraph graph_;
-  std::vector<Keyframe> keyframes_;
-  std::size_t standingAt_ = 0;    //!< node of the keyframe from which the current scan is known
-  UncertainPose T_standing_cur_;  //!< the robot at the current scan, seen from there
-  std::vector<std::optional<Eigen::Matrix3d>> covariances_;  //!< of the nodes, seen from there
-  std::size_t linksThen_ = 0;  //!< links that the graph had when these were computed
+  std::vector<std::size_t> scanOf_;  //!< of every node of the graph, in ascending order
+  std::size_t standingAt_ = 0;       //!< node of the keyframe from which the current scan is known
+  UncertainPose T_standing_cur_;     //!< the robot at the current scan, seen from there
+  std::vector<PoseGraph::KnownNode> near_;  //!< that may be known, seen from there, in their order
+  std::size_t linksThen_ = 0;               //!< links that the graph had when these were sought
 };
 }  // namespace psmks

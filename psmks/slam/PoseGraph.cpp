@@ -33,18 +33,28 @@ struct LinkResidual
   Eigen::Matrix3d byFrom, byTo;
 };
 
-/** The normal equations of one Gauss-Newton step for the nodes from firstFree on. */
+}  // namespace
+
+/** The normal equations of Gauss-Newton steps for the nodes from firstFree on. */
 class GraphEquations
 {
  public:
   GraphEquations(std::size_t nodes, std::size_t firstFree)
       : firstFree_(firstFree),
         size_(3 * static_cast<Eigen::Index>(nodes - firstFree)),
-        gradient_(Eigen::VectorXd::Zero(size_))
+        gradient_(size_),
+        lower_(size_, size_)
+  {
+  }
+
+  /** Forgets the links that were added, for the next step. */
+  void clear()
   {
     /** Information that holds a node without a link in its place. Unit: 1/m^2 and 1/rad^2.
      * Definition: a standard deviation of a kilometre, which moves no node that has a link. */
     constexpr double kNextToNothing = 1e-6;
+    gradient_.setZero();
+    entries_.clear();
     for (Eigen::Index i = 0; i < size_; ++i) entries_.emplace_back(i, i, kNextToNothing);
   }
 
@@ -62,12 +72,17 @@ class GraphEquations
     if (isFree(link.to)) gradient_.segment<3>(row(link.to)) -= toW * r.error;
   }
 
-  Eigen::VectorXd solve() const
+  /** The same nodes are linked in every step, so that their order of elimination is sought once. */
+  Eigen::VectorXd solve()
   {
-    Eigen::SparseMatrix<double> lower(size_, size_);
-    lower.setFromTriplets(entries_.begin(), entries_.end());
-    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(lower).solve(gradient_);
+    lower_.setFromTriplets(entries_.begin(), entries_.end());
+    if (!isOrdered_) solver_.analyzePattern(lower_);
+    isOrdered_ = true;
+    solver_.factorize(lower_);
+    return solver_.solve(gradient_);
   }
+
+  std::size_t firstFree() const { return firstFree_; }
 
   bool isFree(std::size_t node) const { return node >= firstFree_; }
 
@@ -90,8 +105,13 @@ class GraphEquations
   Eigen::Index size_;
   Eigen::VectorXd gradient_;
   Triplets entries_;
+  Eigen::SparseMatrix<double> lower_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  bool isOrdered_ = false;
 };
 
+namespace
+{
 /** The weight of a link in a Gauss-Newton step that makes the sum of squares a sum of Cauchy costs.
  */
 double kernelWeight(const PoseLink& link, const Eigen::Vector3d& error)
@@ -139,25 +159,41 @@ std::size_t PoseGraph::add(const Pose2& guess)
 void PoseGraph::add(const PoseLink& link)
 {
   links_.push_back(link);
-  const Eigen::Vector3d error = linkError(link, poses_[link.from], poses_[link.to]);
-  addSteps(link, kernelWeight(link, error));
+  const std::size_t added = links_.size() - 1;
+  ways_.emplace_back();
+  steps_[link.from].push_back({added, link.to, 0});
+  steps_[link.to].push_back({added, link.from, 0});
+  weigh(added);
 }
 
-/** Adds the two steps that a link allows. */
-void PoseGraph::addSteps(const PoseLink& link, double weight)
+/** Weighs what a link says in both directions by how far it contradicts the poses. */
+void PoseGraph::weigh(std::size_t link)
 {
-  const UncertainPose there{link.T_from_to, covarianceOf(link, weight)};
-  const UncertainPose back = seenFrom(there, UncertainPose());
-  steps_[link.from].push_back({link.to, there, leftOpen_m2(there.covariance)});
-  steps_[link.to].push_back({link.from, back, leftOpen_m2(back.covariance)});
+  const PoseLink& weighed = links_[link];
+  const Eigen::Vector3d error = linkError(weighed, poses_[weighed.from], poses_[weighed.to]);
+  Way& way = ways_[link];
+  way.T_from_to = {weighed.T_from_to, covarianceOf(weighed, kernelWeight(weighed, error))};
+  way.T_to_from = seenFrom(way.T_from_to, UncertainPose());
+  setLeftOpen(weighed.from, link, way.T_from_to);
+  setLeftOpen(weighed.to, link, way.T_to_from);
 }
 
-/** Weighs the links of all steps anew, by how far they contradict the poses. */
-void PoseGraph::weighSteps()
+void PoseGraph::setLeftOpen(std::size_t node, std::size_t link, const UncertainPose& T_here_to)
 {
-  for (std::vector<Step>& steps : steps_) steps.clear();
-  for (const PoseLink& link : links_)
-    addSteps(link, kernelWeight(link, linkError(link, poses_[link.from], poses_[link.to])));
+  const auto isOfLink = [link](const Step& step) { return step.link == link; };
+  std::find_if(steps_[node].rbegin(), steps_[node].rend(), isOfLink)->leftOpen_m2 =
+      leftOpen_m2(T_here_to.covariance);
+}
+
+/** The links that tie a node that is free, in their order. */
+std::vector<std::size_t> PoseGraph::freeLinks(std::size_t firstFree) const
+{
+  std::vector<std::size_t> links;
+  for (std::size_t node = firstFree; node < steps_.size(); ++node)
+    for (const Step& step : steps_[node])
+      if (step.to < firstFree || step.to > node) links.push_back(step.link);
+  std::sort(links.begin(), links.end());
+  return links;
 }
 
 void PoseGraph::optimise(std::size_t firstFree)
@@ -170,28 +206,30 @@ void PoseGraph::optimise(std::size_t firstFree)
   constexpr double kSmallStep = 1e-5;
   firstFree = std::max<std::size_t>(firstFree, 1);
   if (poses_.size() <= firstFree) return;
+  const std::vector<std::size_t> links = freeLinks(firstFree);
+  GraphEquations equations(poses_.size(), firstFree);
   bool trustNewLinks = optimisedLinks_ < links_.size();
   for (int i = 0; i < kMostSteps; ++i, trustNewLinks = false)
-    if (step(firstFree, trustNewLinks) < kSmallStep) break;
+    if (step(links, equations, trustNewLinks) < kSmallStep) break;
   optimisedLinks_ = links_.size();
-  weighSteps();
+  for (const std::size_t link : links) weigh(link);
 }
 
 /** One Gauss-Newton step.
  *  @return the largest change of a coordinate */
-double PoseGraph::step(std::size_t firstFree, bool trustNewLinks)
+double PoseGraph::step(const std::vector<std::size_t>& links, GraphEquations& equations,
+                       bool trustNewLinks)
 {
-  GraphEquations equations(poses_.size(), firstFree);
-  for (std::size_t l = 0; l < links_.size(); ++l)
+  equations.clear();
+  for (const std::size_t l : links)
   {
     const PoseLink& link = links_[l];
-    if (!equations.isFree(link.from) && !equations.isFree(link.to)) continue;
     const LinkResidual residual(link, poses_[link.from], poses_[link.to]);
     const bool trusted = trustNewLinks && l >= optimisedLinks_;
     equations.add(link, residual, trusted ? 1 : kernelWeight(link, residual.error));
   }
   const Eigen::VectorXd change = equations.solve();
-  for (std::size_t node = firstFree; node < poses_.size(); ++node)
+  for (std::size_t node = equations.firstFree(); node < poses_.size(); ++node)
   {
     const Eigen::Vector3d d = change.segment<3>(equations.row(node));
     Pose2& pose = poses_[node];
@@ -203,32 +241,45 @@ double PoseGraph::step(std::size_t firstFree, bool trustNewLinks)
 /** Dijkstra's algorithm, with what the links leave open for the lengths. */
 std::vector<PoseGraph::KnownNode> PoseGraph::known(std::size_t from, double mostOpen_m) const
 {
+  /** A way to a node, whose last step leads there from a node that is known. */
   struct Reached
   {
     double leftOpen_m2;
     std::size_t node;
-    Eigen::Matrix3d covariance;
+    std::size_t before;  //!< in the result
+    const Step* step;
     bool operator>(const Reached& other) const { return leftOpen_m2 > other.leftOpen_m2; }
   };
   std::vector<KnownNode> known;
   std::vector<bool> isKnown(poses_.size(), false);
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
-  open.push({0, from, Eigen::Matrix3d::Zero()});
+  open.push({0, from, 0, nullptr});
   while (!open.empty())
   {
     const Reached here = open.top();
     open.pop();
     if (isKnown[here.node]) continue;
     isKnown[here.node] = true;
-    known.push_back({here.node, here.covariance});
-    const UncertainPose T_from_here{poses_[from].inverse() * poses_[here.node], here.covariance};
+    known.push_back({here.node, here.step ? covarianceBeyond(from, known[here.before], *here.step)
+                                          : Eigen::Matrix3d(Eigen::Matrix3d::Zero())});
     for (const Step& step : steps_[here.node])
     {
       const double there_m2 = here.leftOpen_m2 + step.leftOpen_m2;
-      if (isKnown[step.to] || there_m2 > mostOpen_m * mostOpen_m) continue;
-      open.push({there_m2, step.to, composed(T_from_here, step.T_here_to).covariance});
+      if (!isKnown[step.to] && there_m2 <= mostOpen_m * mostOpen_m)
+        open.push({there_m2, step.to, known.size() - 1, &step});
     }
   }
   return known;
+}
+
+/** The covariance of the node that a step leads to, seen from a node. */
+Eigen::Matrix3d PoseGraph::covarianceBeyond(std::size_t from, const KnownNode& before,
+                                            const Step& step) const
+{
+  const Pose2 T_from_before = poses_[from].inverse() * poses_[before.node];
+  const bool isForward = links_[step.link].from == before.node;
+  const Way& way = ways_[step.link];
+  return composed({T_from_before, before.covariance}, isForward ? way.T_from_to : way.T_to_from)
+      .covariance;
 }
 }  // namespace psmks

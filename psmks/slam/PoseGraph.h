@@ -10,6 +10,8 @@
 
 namespace psmks
 {
+class GraphEquations;
+
 /** A measured pose of one node of a graph, seen from another node. */
 struct PoseLink
 {
@@ -84,17 +86,26 @@ class PoseGraph
   /** A link as seen from one of its nodes. */
   struct Step
   {
-    std::size_t to;
-    UncertainPose T_here_to;
+    std::size_t link, to;
     double leftOpen_m2;
   };
 
-  double step(std::size_t firstFree, bool trustNewLinks);
-  void addSteps(const PoseLink& link, double weight);
-  void weighSteps();
+  /** What a link says in both directions, weighed. */
+  struct Way
+  {
+    UncertainPose T_from_to, T_to_from;
+  };
+
+  std::vector<std::size_t> freeLinks(std::size_t firstFree) const;
+  double step(const std::vector<std::size_t>& links, GraphEquations& equations, bool trustNewLinks);
+  void weigh(std::size_t link);
+  void setLeftOpen(std::size_t node, std::size_t link, const UncertainPose& T_here_to);
+  Eigen::Matrix3d covarianceBeyond(std::size_t from, const KnownNode& before,
+                                   const Step& step) const;
 
   std::vector<Pose2> poses_;
   std::vector<PoseLink> links_;
+  std::vector<Way> ways_;                 //!< of every link
   std::vector<std::vector<Step>> steps_;  //!< of every node, two for each link
   std::size_t optimisedLinks_ = 0;        //!< the links from here on are new
 };

@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/slam/PoseGraph.h>
 #include <psmks/slam/ReferencePolicy.h>
 
 #include <Eigen/Eigenvalues>
@@ -9,6 +10,10 @@ namespace psmks
 {
 namespace
 {
+/** Standard deviations up to which a match may start at a pose. Evidence: three of them are what
+ * overlap() forgives at 4 m. */
+constexpr double kKnown_m = 0.1, kKnown_rad = degToRad(1.5);
+
 /** Standard deviation of a position along the direction that is known worst. */
 double positionSigma_m(const Eigen::Matrix3d& covariance)
 {
@@ -174,10 +179,15 @@ bool ReferencePolicy::isCovered(const Pose2& T_keyframe_cur) const
 
 bool ReferencePolicy::isKnown(const Eigen::Matrix3d& covariance) const
 {
-  /** Standard deviations up to which a match may start at a pose. Evidence: three of them are what
-   * overlap() forgives at 4 m. */
-  constexpr double kKnown_m = 0.1, kKnown_rad = degToRad(1.5);
   return positionSigma_m(covariance) <= kKnown_m && covariance(2, 2) <= kKnown_rad * kKnown_rad;
+}
+
+double ReferencePolicy::mostOpen_m() const
+{
+  const Eigen::Matrix3d mostKnown =
+      Eigen::Vector3d(kKnown_m * kKnown_m, kKnown_m * kKnown_m, kKnown_rad * kKnown_rad)
+          .asDiagonal();
+  return 2 * leftOpen_m(mostKnown);
 }
 
 double ReferencePolicy::loopReach_m(const Eigen::Matrix3d& covariance) const

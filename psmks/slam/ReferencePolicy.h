@@ -113,6 +113,10 @@ class ReferencePolicy
    * m and 1.5 degrees, three of which are what overlap() forgives. */
   bool isKnown(const Eigen::Matrix3d& covariance) const;
 
+  /** What a path of links may leave open, as leftOpen_m() counts it, for a pose at its end to be
+   * known: twice the limits of isKnown(), for errors of a heading and of a position may cancel. */
+  double mostOpen_m() const;
+
   /** How far a robot may be from a keyframe and still see what it saw, after an error of three
    * standard deviations: the distance within which a keyframe is a place to search for a loop. */
   double loopReach_m(const Eigen::Matrix3d& covariance) const;

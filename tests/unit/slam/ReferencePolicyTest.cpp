@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
+#include <psmks/slam/PoseGraph.h>
 #include <psmks/slam/ReferencePolicy.h>
 
 #include <Eigen/LU>
@@ -52,6 +53,22 @@ TEST(ReferencePolicy, AKeyframeStaysUntilTooLittleOfItIsSeen)
   EXPECT_FALSE(policy.replacesReference(matchOf(MatchStatus::Converged, 0.31), kFar, 0));
   EXPECT_TRUE(policy.replacesReference(matchOf(MatchStatus::Converged, 1, 29), kFar, 0));
   EXPECT_FALSE(policy.replacesReference(matchOf(MatchStatus::Converged, 0.29, 29), kNear, 0));
+}
+
+TEST(ReferencePolicy, WhatAPathMayLeaveOpenHoldsAllThatIsKnown)
+{
+  const ReferencePolicy policy{ReferenceOptions()};
+  const auto with = [](double sigma_m, double sigma_rad)
+  {
+    return Eigen::Matrix3d(
+        Eigen::Vector3d(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad).asDiagonal());
+  };
+  const Eigen::Matrix3d worstKnown = with(0.0999, degToRad(1.499));
+  EXPECT_TRUE(policy.isKnown(worstKnown));
+  EXPECT_LT(leftOpen_m(worstKnown), policy.mostOpen_m());
+  EXPECT_FALSE(policy.isKnown(with(0.1001, 0)));
+  EXPECT_FALSE(policy.isKnown(with(0, degToRad(1.501))));
+  EXPECT_GT(leftOpen_m(with(0.5, 0)), policy.mostOpen_m());
 }
 
 TEST(ReferencePolicy, AfterAFailureTheReferenceWaitsUntilItIsGivenUp)
