@@ -2,6 +2,7 @@
 #include <psmks/sim/Campus.h>
 #include <psmks/sim/ClutteredRoom.h>
 #include <psmks/sim/Corridors.h>
+#include <psmks/sim/Kilometres.h>
 #include <psmks/sim/Office.h>
 #include <psmks/sim/Worlds.h>
 
@@ -18,9 +19,13 @@ struct Maker
   Site (*make)(unsigned seed);
 };
 
-constexpr std::array kMakers{Maker{"room", makeRoom},     Maker{"clutter", makeClutter},
-                             Maker{"curved", makeCurved}, Maker{"corridors", makeCorridors},
-                             Maker{"office", makeOffice}, Maker{"campus", makeCampus}};
+constexpr std::array kMakers{Maker{"room", makeRoom},
+                             Maker{"clutter", makeClutter},
+                             Maker{"curved", makeCurved},
+                             Maker{"corridors", makeCorridors},
+                             Maker{"office", makeOffice},
+                             Maker{"campus", makeCampus},
+                             Maker{"kilometres", makeKilometres}};
 }  // namespace
 
 std::vector<std::string> siteNames()

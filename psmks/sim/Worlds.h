@@ -15,14 +15,14 @@ struct Site
 {
   World world;
   Pose2 T_world_start;
-  std::optional<Route> route;  //!< for drives by hand (office, campus)
+  std::optional<Route> route;  //!< for drives by hand (office, campus, kilometres)
 };
 
 /** The names that makeSite() accepts. */
 std::vector<std::string> siteNames();
 
-/** Makes a world like one of the paper's, with the same numbers of walls and points. The same seed
- * gives the same world.
+/** Makes a world. All but the last are like one of the paper's, with the same numbers of walls and
+ * points. The same seed gives the same world.
  *
  *  - `room` (a): 32 walls: a room of 24 x 18 m with 7 boxes parallel to it
  *  - `clutter` (b): 130 walls: the same with 31 boxes at any angle and 2 free walls
@@ -30,6 +30,8 @@ std::vector<std::string> siteNames();
  *  - `corridors` (d): 163 walls: corridors of 1.5 m around two blocks, with recesses, 34 x 20 m
  *  - `office`: 139 walls on 200 m^2, with a route of 94 m and 8 turns
  *  - `campus`: 507 walls on 1,200 m^2 with long corridors, with a route of 134 m and 10 turns
+ *  - `kilometres`: corridors and halls, with a route of 1 km there and 1 km back for the first
+ * seed, 2, 3, 4 and 5 km for the next four, then 1 km again
  *
  *  @throws std::invalid_argument for any other name; the text lists the known ones */
 Site makeSite(const std::string& name, unsigned seed);

@@ -118,7 +118,8 @@ TEST(Worlds, AnUnknownNameIsAnsweredWithTheKnownOnes)
   {
     EXPECT_STREQ(
         error.what(),
-        "unknown world 'moon'; known are room, clutter, curved, corridors, office, campus");
+        "unknown world 'moon'; known are room, clutter, curved, corridors, office, campus, "
+        "kilometres");
   }
 }
 
@@ -166,8 +167,20 @@ TEST_P(RouteOfSite, BeginsWithTheRobotFacingItsFirstLeg)
   EXPECT_NEAR(ahead.y(), 0, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, RouteOfSite, testing::Values("office", "campus"),
+INSTANTIATE_TEST_SUITE_P(All, RouteOfSite, testing::Values("office", "campus", "kilometres"),
                          [](const auto& name) { return name.param; });
+
+TEST(Worlds, TheKilometresLeadThereAndBackAndAreAsLongAsTheSeedSays)
+{
+  for (unsigned seed = 1; seed <= 10; ++seed)
+  {
+    const Route route = *makeSite("kilometres", seed).route;
+    const double wanted_m = 2000.0 * (1 + (seed - 1) % 5);
+    EXPECT_NEAR(length_m(route), wanted_m, 300) << "seed " << seed;
+    for (std::size_t i = 0; i < route.size(); ++i)
+      EXPECT_EQ(route[i], route[route.size() - 1 - i]) << "seed " << seed;
+  }
+}
 
 TEST(Worlds, TheRoutesAreAsLongAndAsWindingAsThePapers)
 {
