@@ -2,6 +2,7 @@
 #include <psmks/geometry/BeamGrid.h>
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -9,10 +10,32 @@ namespace psmks
 {
 namespace
 {
+std::string valueText(double value)
+{
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+bool isFirstBearing(double bearing_rad)
+{
+  return std::abs(bearing_rad) <= BeamGrid::kLargestBearing_rad;
+}
+
+bool isIncrement(double increment_rad)
+{
+  return increment_rad >= BeamGrid::kLeastIncrement_rad && std::isfinite(increment_rad);
+}
+
+/** Whether rays over such an angle do not go more than once round. */
+bool isWithinCircle(double circle_rad, double increment_rad)
+{
+  return circle_rad < 2 * kPi + increment_rad / 2;
+}
+
 void requireGrid(bool condition, const char* what, double value)
 {
-  if (!condition)
-    throw std::invalid_argument("BeamGrid: " + (what + (" " + std::to_string(value))));
+  if (!condition) throw std::invalid_argument("BeamGrid: " + (what + (" " + valueText(value))));
 }
 }  // namespace
 
@@ -21,13 +44,13 @@ BeamGrid::BeamGrid() : directions_(std::make_shared<Directions>()) {}
 BeamGrid::BeamGrid(double firstBearing_rad, double increment_rad, int count)
     : first_rad_(firstBearing_rad), increment_rad_(increment_rad), count_(count)
 {
-  requireGrid(std::isfinite(firstBearing_rad), "the first bearing must be finite, got",
+  requireGrid(isFirstBearing(firstBearing_rad), "the first bearing must be within two turns, got",
               firstBearing_rad);
-  requireGrid(increment_rad > 0 && std::isfinite(increment_rad),
-              "the increment must be above 0 rad, got", increment_rad);
+  requireGrid(isIncrement(increment_rad), "the increment must be at least 1e-05 rad, got",
+              increment_rad);
   requireGrid(count >= 0, "the count must not be negative, got", count);
   const double circle_rad = count * increment_rad;
-  requireGrid(circle_rad < 2 * kPi + increment_rad / 2,
+  requireGrid(isWithinCircle(circle_rad, increment_rad),
               "the rays go more than once round, rad:", circle_rad);
   closed_ = circle_rad > 2 * kPi - increment_rad / 2;
 
@@ -40,6 +63,12 @@ BeamGrid::BeamGrid(double firstBearing_rad, double increment_rad, int count)
     directions->sine[static_cast<std::size_t>(i)] = std::sin(bearing_rad(i));
   }
   directions_ = std::move(directions);
+}
+
+bool BeamGrid::accepts(double firstBearing_rad, double increment_rad, int count)
+{
+  return isFirstBearing(firstBearing_rad) && isIncrement(increment_rad) && count >= 0 &&
+         isWithinCircle(count * increment_rad, increment_rad);
 }
 
 BeamGrid BeamGrid::centered(double fieldOfView_rad, int count)

@@ -21,11 +21,22 @@ class BeamGrid
   /** Makes an empty grid, which has no rays. */
   BeamGrid();
 
+  /** Smallest angle between neighbouring rays. Definition: a fiftieth of the finest scanner, so
+   * that no scan has more than 630,000 rays. */
+  static constexpr double kLeastIncrement_rad = 1e-5;
+
+  /** Largest first bearing, to either side. Definition: two turns. */
+  static constexpr double kLargestBearing_rad = 4 * kPi;
+
   /** Makes a grid of `count` rays from the first bearing on.
-   *  @param increment_rad angle between neighbouring rays, > 0
-   *  @param count >= 0; count * increment_rad exceeds the circle by at most half an increment
+   *  @param firstBearing_rad within kLargestBearing_rad of 0
+   *  @param increment_rad angle between neighbouring rays, >= kLeastIncrement_rad
+   *  @param count >= 0; count * increment_rad exceeds the circle by less than half an increment
    *  @throws std::invalid_argument if an argument breaks these rules; the text names its value */
   BeamGrid(double firstBearing_rad, double increment_rad, int count);
+
+  /** Whether the constructor accepts these values. */
+  static bool accepts(double firstBearing_rad, double increment_rad, int count);
 
   /** Makes a grid of `count` rays from -fieldOfView/2 to +fieldOfView/2, both ends included. If the
    * field of view is the full circle, both ends are the same direction: the rays then have `count`

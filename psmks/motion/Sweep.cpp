@@ -29,7 +29,7 @@ void straightenSweep(Scan& scan, double turnRate_rad_s)
   if (rays < 2 || turned_rad == 0 || !std::isfinite(turned_rad)) return;
   if (scan.range_m.size() != static_cast<std::size_t>(rays)) return;
   const double increment_rad = scan.grid.increment_rad() + turned_rad / (rays - 1);
-  if (increment_rad <= 0) return;
+  if (increment_rad < BeamGrid::kLeastIncrement_rad) return;
 
   const int kept = std::min(rays, raysOfCircle(increment_rad));
   scan.grid = BeamGrid(scan.grid.firstBearing_rad(), increment_rad, kept);

@@ -76,6 +76,7 @@ const BeamGrid& ScanConverter::gridOf(const CObservation2DRangeScan& observation
   const double increment_rad = aperture_rad / (rays - 1);
   const double first_rad = -aperture_rad / 2;
   const int count = distinctRays(rays, increment_rad);
+  if (!BeamGrid::accepts(first_rad, increment_rad, count)) return grid_ = BeamGrid();
   const bool known = grid_.count() == count && grid_.firstBearing_rad() == first_rad &&
                      grid_.increment_rad() == increment_rad;
   if (!known) grid_ = BeamGrid(first_rad, increment_rad, count);

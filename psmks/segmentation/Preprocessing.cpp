@@ -65,7 +65,7 @@ void dropSilentRays(SegmentedScan& scan)
   const int first = static_cast<int>(firstReturn - scan.valid.begin()) % spacing;
   const int count = (scan.rays() - 1 - first) / spacing + 1;
   const double increment_rad = spacing * scan.grid.increment_rad();
-  if (increment_rad * (count - 0.5) > 2 * kPi) return;  // no grid, see BeamGrid
+  if (!BeamGrid::accepts(scan.grid.bearing_rad(first), increment_rad, count)) return;
   for (int kept = 0; kept < count; ++kept)
   {
     const auto from = static_cast<std::size_t>(first + kept * spacing);

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 
 namespace psmks
 {
@@ -123,10 +124,30 @@ TEST(BeamGrid, GridsOfTheSameRaysAreEqual)
 TEST(BeamGrid, ARefusalNamesTheRuleAndTheValue)
 {
   EXPECT_TRUE(test::says(refusalOf(0, -0.5, 3), {"increment", "-0.5"}));
-  EXPECT_TRUE(test::says(refusalOf(0, 0, 3), {"increment", "0.0"}));
+  EXPECT_TRUE(test::says(refusalOf(0, 0, 3), {"increment", "got 0"}));
+  EXPECT_TRUE(test::says(refusalOf(0, 1e-12, 3), {"increment", "1e-12"}));
+  EXPECT_TRUE(test::says(refusalOf(1e308, 0.5, 3), {"first bearing", "1e+308"}));
   EXPECT_TRUE(test::says(refusalOf(0, 0.5, -7), {"count", "-7"}));
   EXPECT_TRUE(test::says(refusalOf(INFINITY, 0.5, 3), {"first bearing", "inf"}));
   EXPECT_TRUE(test::says(refusalOf(0, std::nan(""), 3), {"increment", "nan"}));
   EXPECT_TRUE(test::says(refusalOf(0, 0.25, 30), {"more than once round", "7.5"}));
+}
+
+TEST(BeamGrid, AcceptsWhatTheConstructorTakes)
+{
+  const double least_rad = BeamGrid::kLeastIncrement_rad;
+  EXPECT_TRUE(BeamGrid::accepts(-kPi, degToRad(1), 360));
+  EXPECT_TRUE(BeamGrid::accepts(0, least_rad, 628318));
+  for (const auto& [first_rad, increment_rad, count] : {std::tuple{1e308, 0.5, 3},
+                                                        {std::nan(""), 0.5, 3},
+                                                        {0.0, least_rad / 2, 3},
+                                                        {0.0, std::nan(""), 3},
+                                                        {0.0, 0.25, 30},
+                                                        {0.0, 0.5, -1},
+                                                        {0.0, least_rad, 2000000000}})
+  {
+    EXPECT_FALSE(BeamGrid::accepts(first_rad, increment_rad, count));
+    EXPECT_NE(refusalOf(first_rad, increment_rad, count), "");
+  }
 }
 }  // namespace psmks
