@@ -13,6 +13,9 @@ namespace psmks
 {
 namespace
 {
+/** Largest map that is read. Definition: a million walls. */
+constexpr std::size_t kLargestMap_bytes = 1 << 26;
+
 std::string inflated(const std::string& path)
 {
   GzipInput file(path);
@@ -21,7 +24,11 @@ std::string inflated(const std::string& path)
   std::string text;
   std::array<char, 1 << 16> block{};
   while (const std::size_t bytes = file.Read(block.data(), block.size()))
+  {
     text.append(block.data(), bytes);
+    if (text.size() > kLargestMap_bytes)
+      throw ProgramError(kInputDamaged, "'" + path + "': a map of more than 64 MB");
+  }
   if (!file.error().empty()) throw ProgramError(kInputDamaged, "'" + path + "': " + file.error());
   return text;
 }

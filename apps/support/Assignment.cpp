@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/Assignment.h>
+#include <psmks/base/ShortText.h>
 
 namespace psmks
 {
@@ -7,7 +8,7 @@ Assignment parseAssignment(const std::string& text)
 {
   const auto dot = text.find('.'), equals = text.find('=');
   if (equals == std::string::npos || dot == std::string::npos || dot > equals)
-    throw OptionError("'" + text + "' is not SECTION.KEY=VALUE");
+    throw OptionError("'" + shortText(text) + "' is not SECTION.KEY=VALUE");
   return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1)};
 }
 

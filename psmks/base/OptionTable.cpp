@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/OptionTable.h>
+#include <psmks/base/ShortText.h>
 #include <psmks/geometry/Angle.h>
 
 #include <algorithm>
@@ -24,7 +25,8 @@ std::string trimmed(const std::string& text)
 [[noreturn]] void refuse(const std::string& key, const std::string& text,
                          const std::string& constraint)
 {
-  throw OptionError("option '" + key + "': '" + text + "' is not accepted, allowed: " + constraint);
+  throw OptionError("option '" + key + "': '" + shortText(text) +
+                    "' is not accepted, allowed: " + constraint);
 }
 
 /** The shortest decimal text of x that `sameAgain` accepts; whole numbers are written in full. */
@@ -201,17 +203,18 @@ const OptionField& OptionTable::find(const std::string& section, const std::stri
 {
   const auto known = std::any_of(sections_.begin(), sections_.end(),
                                  [&](const Section& s) { return s.name == section; });
-  if (!known) throw OptionError("section '" + section + "': no such section of options");
+  if (!known) throw OptionError("section '" + shortText(section) + "': no such section of options");
 
   const OptionField* nearest = nullptr;
+  const std::string start = shortText(key);
   for (const auto& field : fields_)
   {
     if (field.section != section) continue;
     if (field.key == key) return field;
-    if (!nearest || editDistance(field.key, key) < editDistance(nearest->key, key))
+    if (!nearest || editDistance(field.key, start) < editDistance(nearest->key, start))
       nearest = &field;
   }
-  throw OptionError("option '" + key + "' in section '" + section + "': no such option" +
+  throw OptionError("option '" + shortText(key) + "' in section '" + section + "': no such option" +
                     (nearest ? ", did you mean '" + nearest->key + "'?" : ""));
 }
 

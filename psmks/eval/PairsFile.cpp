@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/base/ShortText.h>
 #include <psmks/eval/PairsFile.h>
 #include <psmks/gzip/GzipLines.h>
 
@@ -57,7 +58,7 @@ class PairsReader::Lines
     {
       if (!lines_.next(line_)) failAtEnd(wanted);
       rest_ = line_;
-    } while (rest_.find_first_not_of(" \t\r") == std::string_view::npos || rest_.front() == '#');
+    } while (rest_.find_first_not_of(kBlanks) == std::string_view::npos || rest_.front() == '#');
   }
 
   /** Moves to the next line.
@@ -65,7 +66,8 @@ class PairsReader::Lines
   void next(const char* keyword, const std::string& wanted)
   {
     next(wanted);
-    if (field() != keyword) fail("found where " + wanted + " should stand: '" + shortLine() + "'");
+    if (field() != keyword)
+      fail("found where " + wanted + " should stand: '" + shortText(line_) + "'");
   }
 
   double number(const char* what) { return parse<double>(what); }
@@ -97,9 +99,9 @@ class PairsReader::Lines
 
   std::string_view field()
   {
-    const auto first = rest_.find_first_not_of(" \t\r");
+    const auto first = rest_.find_first_not_of(kBlanks);
     if (first == std::string_view::npos) return {};
-    const auto last = std::min(rest_.find_first_of(" \t\r", first), rest_.size());
+    const auto last = std::min(rest_.find_first_of(kBlanks, first), rest_.size());
     const std::string_view found = rest_.substr(first, last - first);
     rest_.remove_prefix(last);
     return found;
@@ -113,18 +115,11 @@ class PairsReader::Lines
     Number value{};
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     if (result.ec != std::errc() || result.ptr != text.data() + text.size())
-      fail(std::string(what) + ": '" + std::string(text.substr(0, 40)) + "' is not a number");
+      fail(std::string(what) + ": '" + shortText(text) + "' is not a number");
     return value;
   }
 
-  /** The beginning of the line for a message, with control characters replaced. */
-  std::string shortLine() const
-  {
-    std::string text(line_.substr(0, 40));
-    for (char& c : text)
-      if (c < ' ' || c > '~') c = '?';
-    return text;
-  }
+  static constexpr std::string_view kBlanks{" \t\r\0", 4};
 
   std::string path_;
   GzipLines lines_;

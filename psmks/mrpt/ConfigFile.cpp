@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/base/ShortText.h>
 #include <psmks/mrpt/ConfigFile.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void loadStage(OptionTable& table, const CConfigFileBase& file, const std::strin
     }
     catch (const OptionError& error)
     {
-      throw OptionError("[" + fileSection + "] " + error.what());
+      throw OptionError("[" + shortText(fileSection) + "] " + error.what());
     }
   }
 }
@@ -44,7 +45,7 @@ void refuseKeysWithoutStage(const CConfigFileBase& file, const std::string& sect
   std::vector<std::string> keys;
   file.getAllKeys(section, keys);
   if (!keys.empty())
-    throw OptionError("[" + section + "] option '" + keys.front() +
+    throw OptionError("[" + section + "] option '" + shortText(keys.front()) +
                       "': options stand in the section "
                       "of their stage, [" +
                       section + ".<stage>]");

@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/NumberRow.h>
+#include <psmks/base/ShortText.h>
 #include <psmks/sim/MapFile.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ class MapText
   {
     const auto row = parseNumberRow(text);
     if (!row || row->size() < count)
-      fail("expected " + std::to_string(count) + " numbers, found '" + line_ + "'");
+      fail("expected " + std::to_string(count) + " numbers, found '" + shortText(line_) + "'");
     return *row;
   }
 

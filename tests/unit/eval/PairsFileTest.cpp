@@ -126,7 +126,7 @@ TEST_F(PairsFile, DamageIsReportedWithItsLine)
               "1: the file ends where 'PSMPAIRS 1', the mark of a scan pairs file, should follow");
   expectError("PSMPAIRS 2\n", "1: unknown format version");
   expectError("PSMPAIRS 1\nlaser 3 -0.5 0 30\nnpairs 1\n" + kPair,
-              "2: BeamGrid: the increment must be above 0 rad, got 0.000000");
+              "2: BeamGrid: the increment must be at least 1e-05 rad, got 0");
   expectError("PSMPAIRS 1\nlaser 3 -0.5\n", "2: the increment is missing");
   expectError(kHeader, "4: the file ends where pair 1 of 1 should follow");
   expectError(kHeader + "pair 7 1 2 0.1 1.1 2.1\n", "4: the odometry's pose is missing");

@@ -44,6 +44,20 @@ TEST_F(GzipLinesTest, MayBeLongerThanAnyBlockThatIsReadAtOnce)
   EXPECT_EQ(read("a\n" + longLine + "\nb\n"), (Lines{"a", longLine, "b"}));
 }
 
+TEST_F(GzipLinesTest, ALineWithoutEndIsNotGathered)
+{
+  std::ofstream(path_, std::ios::binary)
+      << "a\n"
+      << std::string(GzipLines::kLongest_bytes + (1 << 20), 'x') << "\nb\n";
+  GzipLines lines(path_);
+  std::string_view line;
+  EXPECT_TRUE(lines.next(line));
+  EXPECT_EQ(lines.error(), "");
+  EXPECT_FALSE(lines.next(line));
+  EXPECT_FALSE(lines.next(line)) << "nothing comes after it";
+  EXPECT_EQ(lines.error(), "line 2 is longer than 16 MB");
+}
+
 TEST_F(GzipLinesTest, OfAFileThatIsMissingThereAreNone)
 {
   GzipLines lines(folder_.path("absent"));
