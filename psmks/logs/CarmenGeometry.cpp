@@ -37,7 +37,10 @@ std::optional<double> angleParameterOf(const CarmenSurvey& survey, const std::st
   return value_deg ? std::make_optional(degToRad(*value_deg)) : std::nullopt;
 }
 
-bool isRear(const std::string& sensor) { return sensor == "RLASER" || sensor == "ROBOTLASER2"; }
+bool isRear(const std::string& sensor)
+{
+  return sensor == "RLASER" || sensor == "ROBOTLASER2" || sensor == "RAWLASER2";
+}
 
 CarmenScanner scannerOfParameters(const CarmenSurvey& survey, bool rear)
 {
@@ -49,15 +52,24 @@ CarmenScanner scannerOfParameters(const CarmenSurvey& survey, bool rear)
   return scanner;
 }
 
+/** Where a parameter puts the scanner on the robot; 0 where it would not be on a robot. */
+double offset_m(const CarmenSurvey& survey, const std::string& name)
+{
+  /** Largest offset. Definition: a ship. */
+  constexpr double kLargest_m = 100;
+  const double stated_m = parameterOf(survey, name).value_or(0);
+  return std::abs(stated_m) < kLargest_m ? stated_m : 0;
+}
+
 Pose2 mountingOfParameters(const CarmenSurvey& survey, bool rear)
 {
   const std::string side = rear ? "robot_rearlaser" : "robot_frontlaser";
-  return {parameterOf(survey, side + "_offset").value_or(0),
-          parameterOf(survey, side + "_side_offset").value_or(0), rear ? kPi : 0};
+  return {offset_m(survey, side + "_offset"), offset_m(survey, side + "_side_offset"),
+          rear ? kPi : 0};
 }
 
-/** Whether so many rays with this increment do not exceed the circle, see BeamGrid. */
-bool fitsRound(double increment_rad, int rays) { return increment_rad * (rays - 0.5) <= 2 * kPi; }
+/** Whether rays can have this increment, see BeamGrid. */
+bool fitsRound(double increment_rad, int rays) { return BeamGrid::accepts(0, increment_rad, rays); }
 
 /** Whether the rays are those of a Hokuyo URG, which has 1024 steps a turn. */
 bool isUrg(const CarmenScanner& scanner)
@@ -70,6 +82,17 @@ double spread_rad(double fieldOfView_rad, int rays)
 {
   const double increment_rad = fieldOfView_rad / CarmenGeometry::stepsOf(rays);
   return fitsRound(increment_rad, rays) ? increment_rad : 2 * kPi / rays;
+}
+
+/** A field of view where it is one for so many rays; nothing where it is none. */
+std::optional<double> sensibleView_rad(const std::optional<double>& fieldOfView_rad, int rays)
+{
+  /** Widest field of view that is taken for a circle. Definition: a turn and a half. */
+  constexpr double kWidest_rad = 3 * kPi;
+  const bool isSensible =
+      fieldOfView_rad && *fieldOfView_rad <= kWidest_rad &&
+      *fieldOfView_rad / CarmenGeometry::stepsOf(rays) >= BeamGrid::kLeastIncrement_rad;
+  return isSensible ? fieldOfView_rad : std::nullopt;
 }
 }  // namespace
 
@@ -89,7 +112,8 @@ int CarmenGeometry::stepsOf(int rays) { return std::max(1, rays % 2 == 1 ? rays 
 const BeamGrid& CarmenGeometry::grid(const CarmenScanner& stated, int rays)
 {
   const auto fieldOfView_rad =
-      firstOf(options_.fieldOfView_rad, stated.fieldOfView_rad, parameters_.fieldOfView_rad);
+      firstOf(options_.fieldOfView_rad, sensibleView_rad(stated.fieldOfView_rad, rays),
+              sensibleView_rad(parameters_.fieldOfView_rad, rays));
   const auto stated_rad =
       firstOf(options_.increment_rad, stated.increment_rad, parameters_.increment_rad);
   const double increment_rad = stated_rad && fitsRound(*stated_rad, rays)
@@ -98,8 +122,10 @@ const BeamGrid& CarmenGeometry::grid(const CarmenScanner& stated, int rays)
 
   const double centered_rad = -fieldOfView_rad.value_or(increment_rad * stepsOf(rays)) / 2;
   const bool isSetByUser = options_.fieldOfView_rad.has_value();
-  const double first_rad =
-      isSetByUser ? centered_rad : stated.firstBearing_rad.value_or(centered_rad);
+  const double statedFirst_rad = stated.firstBearing_rad.value_or(centered_rad);
+  const double first_rad = isSetByUser || !BeamGrid::accepts(statedFirst_rad, increment_rad, rays)
+                               ? centered_rad
+                               : statedFirst_rad;
   const bool isKnown = grid_.count() == rays && grid_.firstBearing_rad() == first_rad &&
                        grid_.increment_rad() == increment_rad;
   if (!isKnown) grid_ = BeamGrid(first_rad, increment_rad, rays);

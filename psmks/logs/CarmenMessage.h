@@ -12,15 +12,15 @@ namespace psmks
 {
 enum class CarmenKind
 {
-  Scan,       //!< FLASER, RLASER, ROBOTLASER1, ROBOTLASER2
+  Scan,       //!< FLASER, RLASER, ROBOTLASER1, ROBOTLASER2, RAWLASER1 to RAWLASER5
   Odometry,   //!< ODOM
   Parameter,  //!< PARAM
   Other,      //!< a message of another name, a comment, a blank line
-  Malformed   //!< a scan or odometry message with wrong or missing numbers
+  Malformed   //!< a scan or odometry message with wrong, missing or absurd numbers
 };
 
-/** The description of the scanner in a ROBOTLASER message. A member is empty if its value makes no
- * sense. */
+/** The description of the scanner in a ROBOTLASER or RAWLASER message. A member is empty if its
+ * value makes no sense. */
 struct CarmenScanner
 {
   std::optional<double> firstBearing_rad, fieldOfView_rad, increment_rad, maxRange_m, sigma_m;
@@ -32,10 +32,13 @@ struct CarmenScanner
  *     FLASER n r1 .. rn  x y theta  odom_x odom_y odom_theta  ipc host logger
  *     ROBOTLASER1 type start fov resolution max accuracy remission_mode n r1 .. rn [m s1 .. sm]
  *         laser_x y theta  robot_x y theta  tv rv forward side turn_axis  ipc host logger
+ *     RAWLASER1 type start fov resolution max accuracy remission_mode n r1 .. rn [m s1 .. sm]
+ *         ipc host logger
  *     ODOM x y theta  tv rv acceleration  ipc host logger
  *     PARAM name value  ipc host logger
  *
- * All values are in metres and radians; ranges go from the right to the left. */
+ * All values are in metres and radians; ranges go from the right to the left. A RAWLASER message
+ * has no pose: both are the origin. A byte order mark before the name and NULs are skipped. */
 struct CarmenMessage
 {
   CarmenKind kind = CarmenKind::Other;
@@ -48,6 +51,10 @@ struct CarmenMessage
   double ipcStamp_s = 0;     //!< when the message was made
   double loggerStamp_s = 0;  //!< when it was logged, often since the logger's start; 0 = none
 };
+
+/** Whether a message is of a RAWLASER, which the module of a scanner sends where no module of a
+ * robot adds a pose. */
+bool isRawLaser(std::string_view messageName);
 
 /** Parses a line. A parameter that is not a number has the kind Other.
  *  @param line without its end

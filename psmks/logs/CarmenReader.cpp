@@ -55,6 +55,7 @@ CarmenReader::CarmenReader(const std::string& path, std::optional<std::string> s
       sensorLabel_(std::move(sensorLabel)),
       damage_(damageAtStart())
 {
+  if (!sensorLabel_ || !isRawLaser(*sensorLabel_)) survey_.leaveOutRepetitions();
   if (!sensorLabel_ && !survey_.sensors.empty()) sensorLabel_ = survey_.firstSensor;
   const std::string sensor = sensorLabel_.value_or("");
   stamp_ = survey_.stampOf(sensor, options.stamp);
@@ -67,8 +68,11 @@ std::string CarmenReader::damageAtStart() const
 {
   if (!survey_.exists) return "no such file, or not to be read";
   if (survey_.lines == 0) return survey_.error.empty() ? "the file is empty" : survey_.error;
-  if (survey_.messages > 0) return "";
+  if (survey_.messages > survey_.malformed.times) return "";
   if (!survey_.error.empty()) return survey_.error;
+  if (survey_.messages > 0)
+    return "none of its " + counted(survey_.messages, "message") + " can be read" +
+           inLine(survey_.malformed);
   return "not a CARMEN log: none of its " + counted(survey_.lines, "line") +
          " is a scan (FLASER, ROBOTLASER1, ...) or an odometry (ODOM)";
 }
@@ -93,7 +97,8 @@ bool CarmenReader::take(LaserFrame& frame)
   if (message_.kind == CarmenKind::Other || message_.kind == CarmenKind::Malformed) return false;
   ++entriesRead_;
   if (message_.kind == CarmenKind::Odometry) takeOdometry();
-  return message_.kind == CarmenKind::Scan && takeScan(frame);
+  return message_.kind == CarmenKind::Scan && survey_.sensors.count(message_.name) > 0 &&
+         takeScan(frame);
 }
 
 void CarmenReader::takeOdometry()
@@ -167,7 +172,7 @@ std::vector<std::string> CarmenReader::remarks() const
 
   const CarmenSensorSurvey& scans = found->second;
   if (stamp_) remarkOnStamps(*stamp_ == CarmenStamp::Ipc ? scans.ipc : scans.logger, remarks);
-  if (odometry_ == CarmenOdometry::OdometryMessages)
+  if (odometry_ == CarmenOdometry::OdometryMessages && !isRawLaser(found->first))
     remarks.push_back(
         "the odometry of the scans is zero throughout, that of the ODOM messages "
         "stands in");

@@ -16,10 +16,12 @@
 namespace psmks
 {
 /** Reads a log of the Carnegie Mellon Robot Navigation Toolkit (CARMEN), gzipped or not. A sensor
- * has the name of its messages: FLASER, RLASER, ROBOTLASER1, ROBOTLASER2.
+ * has the name of its messages: FLASER, RLASER, ROBOTLASER1, ROBOTLASER2, RAWLASER1 to RAWLASER5.
  *
  * - Odometry is the pose of the robot in the messages of the scans. If it is zero throughout, that
  * of the ODOM messages is used. If this is zero as well, there is none.
+ * - RAWLASER messages are left out where the log has the same scans with the pose of the robot, see
+ * CarmenSurvey::leaveOutRepetitions().
  * - Scans come in the order of the file and keep their stamps, even if these repeat or go
  * backwards.
  * - A malformed message is skipped; see remarks(). A range that is NaN, infinite or not positive is

@@ -2,7 +2,9 @@
 #include <psmks/gzip/GzipLines.h>
 #include <psmks/logs/CarmenSurvey.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace psmks
 {
@@ -80,6 +82,19 @@ std::optional<CarmenStamp> CarmenSurvey::stampOf(const std::string& sensor,
   if (ipc && wanted != CarmenStamp::Logger) return CarmenStamp::Ipc;
   if (logger && wanted != CarmenStamp::Ipc) return CarmenStamp::Logger;
   return std::nullopt;
+}
+
+void CarmenSurvey::leaveOutRepetitions()
+{
+  int mostPosed = 0;
+  for (const auto& [name, sensor] : sensors)
+    if (!isRawLaser(name)) mostPosed = std::max(mostPosed, sensor.scans);
+  for (auto it = sensors.begin(); it != sensors.end();)
+  {
+    const bool isRepetition = isRawLaser(it->first) && 2 * mostPosed >= it->second.scans;
+    it = isRepetition ? sensors.erase(it) : std::next(it);
+  }
+  if (sensors.count(firstSensor) == 0 && !sensors.empty()) firstSensor = sensors.begin()->first;
 }
 
 CarmenOdometry CarmenSurvey::odometryOf(const std::string& sensor) const

@@ -80,6 +80,10 @@ struct CarmenSurvey
   std::optional<CarmenStamp> stampOf(const std::string& sensor,
                                      const std::optional<CarmenStamp>& wanted) const;
 
+  /** Leaves out the sensors of RAWLASER messages where another kind of message has at least half as
+   * many scans: the log then holds the same scans once more, with the pose of the robot. */
+  void leaveOutRepetitions();
+
   /** The messages to take the odometry of a sensor from. */
   CarmenOdometry odometryOf(const std::string& sensor) const;
 };

@@ -84,6 +84,27 @@ bool PhantomRings::standsOut(std::size_t first, std::size_t width) const
   return count * perReading_rad > kWalls * ofAWall_rad * scans_;
 }
 
+/** Whether no reading is left, but for noise beside the bands: then nothing tells rings from a
+ * world.
+ *  @param isTaken of each bin, whether a band holds it */
+bool PhantomRings::holdsAll(const std::vector<bool>& isTaken) const
+{
+  /** Share of the readings that is noise. Definition: a ray in a hundred. */
+  constexpr double kNoise = 0.01;
+
+  /** Bins beside a band that belong to it. Definition: two units of coarse scanners. */
+  constexpr std::size_t kBeside = 2;
+  double left = 0;
+  for (std::size_t bin = 0; bin < isTaken.size(); ++bin)
+  {
+    const auto begin = isTaken.begin() + static_cast<std::ptrdiff_t>(bin - std::min(bin, kBeside));
+    const auto end =
+        isTaken.begin() + static_cast<std::ptrdiff_t>(std::min(bin + kBeside + 1, isTaken.size()));
+    if (std::find(begin, end, true) == end) left += centimetres_[bin];
+  }
+  return left < kNoise * readings_;
+}
+
 std::vector<RangeBand> PhantomRings::bands() const
 {
   /** Fewest scans that tell rings from walls. Unit: scans. Definition: two seconds, in which a
@@ -103,6 +124,7 @@ std::vector<RangeBand> PhantomRings::bands() const
       bands.push_back({bin_m * from, bin_m * (from + static_cast<double>(width)),
                        static_cast<int>(countBetween(first, first + width))});
     }
+  if (holdsAll(isTaken)) return {};
   std::sort(bands.begin(), bands.end(),
             [](const RangeBand& a, const RangeBand& b) { return a.from_m < b.from_m; });
   return bands;

@@ -37,12 +37,14 @@ class PhantomRings
   /** Counts the valid readings of a scan below its greatest range. */
   void add(const mrpt::obs::CObservation2DRangeScan& scan);
 
-  /** The bands of all scans so far, the nearest first, none that overlap; none before 20 scans. */
+  /** The bands of all scans so far, the nearest first, none that overlap; none before 20 scans, and
+   * none where they would hold all readings. */
   std::vector<RangeBand> bands() const;
 
  private:
   double countBetween(std::size_t first, std::size_t last) const;
   bool standsOut(std::size_t first, std::size_t width) const;
+  bool holdsAll(const std::vector<bool>& isTaken) const;
 
   std::vector<double> centimetres_;  //!< number of readings by range
   double readings_ = 0;

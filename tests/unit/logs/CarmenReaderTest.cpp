@@ -191,6 +191,96 @@ TEST_F(CarmenReaderTest, ARobotLaserStatesItsScanner)
   }
 }
 
+/** A RAWLASER of 5 rays from -100 to +100 degrees. */
+std::string rawLaser(double stamp_s, const std::string& remissions = " 0", const char* number = "1")
+{
+  return "RAWLASER" + std::string(number) +
+         " 0 -1.745329252 3.490658504 0.872664626 30 0.02 0 5 1 2 3 30 5" + remissions +
+         carmenStamps(stamp_s, stamp_s);
+}
+
+TEST_F(CarmenReaderTest, ARawLaserStatesItsScannerAndHasTheOdometryOfItsTime)
+{
+  for (const std::string remissions : {"", " 0", " 5 1 2 3 4 5"})
+  {
+    const auto frames =
+        framesOf("PARAM robot_frontlaser_offset 0.3 0 host 0\n" + odom({1, 0, 0}, 1.0) +
+                 rawLaser(1.0, remissions) + odom({1.4, 0, 0}, 2.0) + rawLaser(2.5, remissions));
+    ASSERT_EQ(frames.size(), 2u) << remissions << damage_;
+    EXPECT_NEAR(bearing_deg(frames[0], 0), -100, 1e-5);
+    EXPECT_NEAR(bearing_deg(frames[0], 4), 100, 1e-5);
+    EXPECT_EQ(frames[0].scan->maxRange, 30.f);
+    EXPECT_FALSE(frames[0].scan->getScanRangeValidity(3));
+    EXPECT_TRUE(isNearly(sensorMounting(*frames[0].scan).T_robot_sensor, {0.3, 0, 0}, 1e-6, 1e-6));
+    ASSERT_TRUE(frames[1].odometry);
+    EXPECT_TRUE(isNearly(*frames[1].odometry, {0.6, 0, 0}, 1e-9, 1e-9)) << "0.4 m/s, for 1.5 s";
+    EXPECT_TRUE(remarks_.empty()) << testing::PrintToString(remarks_);
+  }
+}
+
+TEST_F(CarmenReaderTest, ARawLaserLooksAheadAndTheSecondBack)
+{
+  const auto frames = framesOf(rawLaser(1, "", "2"));
+  ASSERT_EQ(frames.size(), 1u) << damage_;
+  EXPECT_NEAR(std::abs(bearing_deg(frames[0], 2)), 180, 1e-5);
+}
+
+TEST_F(CarmenReaderTest, RawLasersAreLeftOutWhereTheSameScansComeWithAPose)
+{
+  const std::string both = rawLaser(1) + flaser(kRanges_m, {}, 1) + rawLaser(2) +
+                           flaser(kRanges_m, {0.1, 0, 0}, 2) + rawLaser(3);
+  EXPECT_EQ(framesOf(both).size(), 2u);
+  EXPECT_EQ(scansOfSensors_, (std::map<std::string, int>{{"FLASER", 2}}));
+  EXPECT_EQ(framesOf(both, {}, "RAWLASER1").size(), 3u) << "where it is asked for";
+  const std::string rare = flaser(kRanges_m, {}, 1) + rawLaser(1) + rawLaser(2) + rawLaser(3);
+  framesOf(rare);
+  EXPECT_EQ(scansOfSensors_.at("RAWLASER1"), 3) << "one scan is no repetition of three";
+}
+
+TEST_F(CarmenReaderTest, AByteOrderMarkAndNulsLoseNoScan)
+{
+  const std::string nuls(3, '\0');
+  EXPECT_EQ(framesOf("\xEF\xBB\xBF" + flaser(kRanges_m, {}, 1)).size(), 1u);
+  EXPECT_EQ(framesOf(nuls + flaser(kRanges_m, {}, 1) + flaser(kRanges_m, {}, 2)).size(), 2u);
+}
+
+TEST_F(CarmenReaderTest, AbsurdParametersCountForNothing)
+{
+  for (const char* value : {"5e-324", "1e-300", "1e300", "1e18", "-1", "0", "nan", "inf"})
+  {
+    std::string parameters;
+    for (const char* name : {"laser_front_laser_resolution", "laser_front_laser_fov",
+                             "robot_frontlaser_offset", "robot_frontlaser_side_offset"})
+      parameters += "PARAM " + std::string(name) + ' ' + value + " 0 host 0\n";
+    const auto frames = framesOf(parameters + flaser(kRanges_m, {}, 1));
+    ASSERT_EQ(frames.size(), 1u) << value;
+    EXPECT_NEAR(bearing_deg(frames[0], 0), -90, 1e-5) << value;
+    EXPECT_LT(sensorMounting(*frames[0].scan).T_robot_sensor.translation().norm(), 2) << value;
+  }
+}
+
+TEST_F(CarmenReaderTest, AbsurdPosesAndScannersOfMessagesHarmNothing)
+{
+  framesOf(flaser(kRanges_m, {1e300, 0, 0}, 1) + flaser(kRanges_m, {0, 0, 1e300}, 1) +
+           flaser(kRanges_m, {}, 1));
+  expectRemark("2 malformed messages skipped");
+  for (const char* number : {"1e300", "-1e300", "5e-324", "7"})
+    for (std::size_t field = 1; field <= 7; ++field)
+    {
+      std::string text = rawLaser(1);
+      std::size_t at = 0;
+      for (std::size_t i = 0; i < field; ++i) at = text.find(' ', at) + 1;
+      text.replace(at, text.find(' ', at) - at, number);
+      EXPECT_EQ(framesOf(text).size(), 1u) << text;
+    }
+}
+
+TEST_F(CarmenReaderTest, ALogOfMalformedMessagesAloneIsDamaged)
+{
+  EXPECT_EQ(framesOf("FLASER 3 1 2\nODOM 1\n").size(), 0u);
+  EXPECT_EQ(damage_, "none of its 2 messages can be read, the first in line 1");
+}
+
 TEST_F(CarmenReaderTest, RangesThatAreNoReturnsAreFlagged)
 {
   auto ranges_m = kRanges_m;

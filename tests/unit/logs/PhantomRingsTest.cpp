@@ -55,6 +55,17 @@ class PhantomRingsTest : public testing::Test
 };
 }  // namespace
 
+// A round room of 3 m about a scanner that stands: there is no other reading to tell it from a
+// ring.
+TEST_F(PhantomRingsTest, AllThatIsSeenIsNone)
+{
+  Scan round;
+  round.grid = BeamGrid::centered(kPi, 181);
+  for (int ray = 0; ray < 181; ++ray) round.range_m.push_back(3.005 + 0.01 * (ray % 5));
+  round.maxRange_m = kMaxRange_m;
+  EXPECT_TRUE(bandsOf(std::vector(40, toMrpt(round, {}))).empty());
+}
+
 TEST_F(PhantomRingsTest, AValueBelowTheGreatestRangeIsOne)
 {
   const auto bands = bandsOf(drive(100, [] { return 15.96; }));
