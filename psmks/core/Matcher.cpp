@@ -1,11 +1,12 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/base/Stopwatch.h>
 #include <psmks/core/Matcher.h>
+#include <psmks/geometry/Covariance.h>
 #include <psmks/joint/JointScheme.h>
+#include <psmks/match/KeptGuess.h>
 #include <psmks/paper/PaperScheme.h>
 #include <psmks/segmentation/Segmentation.h>
 
-#include <Eigen/Cholesky>
 #include <utility>
 
 namespace psmks
@@ -31,29 +32,9 @@ bool needsExternalSolvers(const MatcherOptions& options)
          options.joint.solver == JointSolver::Ceres;
 }
 
-bool isPositiveDefinite(const Eigen::Matrix3d& covariance)
-{
-  /** Share of the largest element by which a covariance may be asymmetric. Unit: share. Definition:
-   * the rounding of the doubles from which both halves are computed. */
-  constexpr double kRounding = 1e-9;
-  const double asymmetry = (covariance - covariance.transpose()).cwiseAbs().maxCoeff();
-  return covariance.allFinite() && asymmetry <= kRounding * covariance.cwiseAbs().maxCoeff() &&
-         covariance.llt().info() == Eigen::Success;
-}
-
 bool isUsable(const Guess& guess)
 {
-  return guess.T_ref_cur.isFinite() && (!guess.covariance || isPositiveDefinite(*guess.covariance));
-}
-
-MatchResult invalidInput(const Guess& guess)
-{
-  MatchResult result;
-  result.status = MatchStatus::InvalidInput;
-  if (guess.T_ref_cur.isFinite()) result.T_ref_cur = guess.T_ref_cur;
-  if (guess.covariance && isPositiveDefinite(*guess.covariance))
-    result.covariance = *guess.covariance;
-  return result;
+  return guess.T_ref_cur.isFinite() && (!guess.covariance || isCovariance(*guess.covariance));
 }
 }  // namespace
 
@@ -79,14 +60,16 @@ MatchResult Matcher::match(const SegmentedScan& reference, const SegmentedScan& 
                            SearchScope scope) const
 {
   const bool usable = isUsable(guess) && reference.hasValidRay() && current.hasValidRay();
-  if (!usable) return invalidInput(guess);
+  if (!usable) return keptGuess(MatchStatus::InvalidInput, guess);
+  const Guess bounded = boundedGuess(guess);
   MatchResult result =
       options_.scheme == Scheme::Paper
-          ? matchByPaperScheme(reference, current, guess, options_.paper, externalSolvers_.get(),
+          ? matchByPaperScheme(reference, current, bounded, options_.paper, externalSolvers_.get(),
                                workspace.buffers_->paper, trace)
-          : matchByJointScheme(reference, current, guess, scope, options_.joint,
+          : matchByJointScheme(reference, current, bounded, scope, options_.joint,
                                externalSolvers_.get(), workspace.buffers_->joint, trace);
   addWholeScanErrors(options_.wholeScan, result);
+  settleCovariance(bounded, result);
   return result;
 }
 

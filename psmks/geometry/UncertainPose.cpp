@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/geometry/Covariance.h>
 #include <psmks/geometry/UncertainPose.h>
 
 #include <Eigen/Cholesky>
@@ -64,6 +65,7 @@ UncertainPose conjugated(const UncertainPose& T_ref_cur, const Pose2& T_newRef_r
   J.topLeftCorner<2, 2>() = R_A;
   J.topRightCorner<2, 1>() = R_A * T_ref_cur.pose.rotationDerivative() * T_cur_newCur.translation();
 
-  return {T_newRef_ref * T_ref_cur.pose * T_cur_newCur, J * T_ref_cur.covariance * J.transpose()};
+  return {T_newRef_ref * T_ref_cur.pose * T_cur_newCur,
+          boundedCovariance(J * T_ref_cur.covariance * J.transpose())};
 }
 }  // namespace psmks

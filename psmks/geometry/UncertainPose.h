@@ -44,6 +44,7 @@ Eigen::Matrix3d informationBeyond(const Eigen::Matrix3d& guess, const Eigen::Mat
  *
  *     newRef --T_newRef_ref--> ref --T_ref_cur--> cur <--T_newCur_cur-- newCur
  *
+ * The covariance is bounded (boundedCovariance()), so that long levers leave it positive definite.
  * With the mountings T_robot_sensor it turns the motion of a sensor into that of its robot; with
  * the inverses of the mountings it turns the motion of a robot into that of its sensor. */
 UncertainPose conjugated(const UncertainPose& T_ref_cur, const Pose2& T_newRef_ref,

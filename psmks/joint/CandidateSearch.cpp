@@ -118,14 +118,15 @@ void CandidateSearch::searchWithinCovariance()
   for (const Hypothesis& optimum : match_.buffers.hypotheses) refineAndKeep(optimum.T_ref_cur);
 }
 
-/** The window that a measured guess leaves open. */
+/** The window that a measured guess leaves open; no heading is more than half a turn away. */
 SearchWindow CandidateSearch::windowOfCovariance() const
 {
   /** Size of the window about a measured guess. Unit: standard deviations. Evidence: 99.7 % of
    * normal errors. */
   constexpr double kSigmas = 3;
   const Eigen::Matrix3d& C = *match_.guess.covariance;
-  return {kSigmas * std::sqrt(std::max(C(0, 0), C(1, 1))), kSigmas * std::sqrt(C(2, 2))};
+  return {kSigmas * std::sqrt(std::max(C(0, 0), C(1, 1))),
+          std::min(kPi, kSigmas * std::sqrt(C(2, 2)))};
 }
 
 SearchWindow CandidateSearch::nearWindow() const

@@ -17,6 +17,7 @@ struct Guess
 
   /** Covariance of (x, y, phi) in the axes of the reference frame: m^2, m rad, rad^2; symmetric and
    *  positive definite.
+   * Standard deviations above 1 km count as 1 km.
    *
    *  With a covariance the guess is a measurement: the joint scheme uses it as a Gaussian prior in
    *  every step, reports how far the scans are from it (MatchResult::innovation), and gives it up

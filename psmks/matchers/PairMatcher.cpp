@@ -15,15 +15,6 @@ MatchResult PairMatcher::matchPrepared(const PreparedScan& reference, const Prep
   return match(dataOf<Scan>(reference), dataOf<Scan>(current), guess);
 }
 
-MatchResult keptGuess(MatchStatus status, const Guess& guess)
-{
-  MatchResult result;
-  result.status = status;
-  result.T_ref_cur = guess.T_ref_cur;
-  if (guess.covariance) result.covariance = *guess.covariance;
-  return result;
-}
-
 std::vector<std::string> pairMatcherNames()
 {
   std::vector<std::string> names;

@@ -4,6 +4,7 @@
 #include <psmks/core/MatcherOptions.h>
 #include <psmks/geometry/Scan.h>
 #include <psmks/match/Guess.h>
+#include <psmks/match/KeptGuess.h>
 #include <psmks/match/MatchResult.h>
 #include <psmks/match/SearchScope.h>
 #include <psmks/matchers/PreparedScan.h>
@@ -32,8 +33,9 @@ class PairMatcher
    * either shows of its noise is believed.
    *
    * Never throws for bad data: scans without returns, or a guess that is not finite, end in
-   * MatchStatus::InvalidInput at the guess. The covariance is never zero. The times of the result
-   * hold everything that was done with the two raw scans. */
+   * MatchStatus::InvalidInput at the guess, or at the origin where it is not finite. The covariance
+   * is symmetric and positive definite for every input (settleCovariance()). The times of the
+   * result hold everything that was done with the two raw scans. */
   virtual MatchResult match(const Scan& reference, const Scan& current, const Guess& guess) = 0;
 
   /** Does once what every match of a scan needs, whether the scan is the reference or the current
@@ -50,10 +52,6 @@ class PairMatcher
   virtual MatchResult matchPrepared(const PreparedScan& reference, const PreparedScan& current,
                                     const Guess& guess, SearchScope scope = SearchScope::Full);
 };
-
-/** The result of a match that failed: it stays at the guess, with the covariance of the guess where
- * it has one, else with the default of MatchResult. */
-MatchResult keptGuess(MatchStatus status, const Guess& guess);
 
 /** The names that makePairMatcher() knows, in the order of listings. Each matcher registers itself
  *  in its own file, see PairMatcherRegistration.h. */

@@ -32,8 +32,9 @@ MatchStatus toMatchStatus(PsmStatus status)
 MatchResult toMatchResult(const PsmResult& psm, const Guess& guess, int goodRays)
 {
   MatchResult result = keptGuess(toMatchStatus(psm.status), guess);
-  result.T_ref_cur = psm.T_ref_cur;
+  if (psm.T_ref_cur.isFinite()) result.T_ref_cur = psm.T_ref_cur;
   if (psm.usable()) result.covariance = psm.covariance;
+  settleCovariance(guess, result);
   result.score = std::min(1.0, static_cast<double>(psm.pairs) / std::max(1, goodRays));
   result.associations = psm.pairs;
   result.iterations = psm.iterations;

@@ -147,6 +147,7 @@ class IcpPairMatcher : public PairMatcher
       result.status = stopped ? MatchStatus::Converged : MatchStatus::MaxIterations;
       result.T_ref_cur = toPose2(estimate.mean);
       if (!estimate.cov.asEigen().isZero()) result.covariance = estimate.cov.asEigen();
+      settleCovariance(guess, result);
     }
     result.score = std::min(1.0, info.goodness);
     result.associations = pairedPoints(info, current.size());

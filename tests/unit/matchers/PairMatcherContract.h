@@ -3,16 +3,20 @@
 
 #include <gtest/gtest.h>
 #include <psmks/matchers/PairMatcherRegistration.h>
+#include <tests/support/BadInput.h>
 #include <tests/support/PoseMatcher.h>
 #include <tests/support/Scenes.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <random>
 #include <string>
 #include <typeinfo>
+#include <utility>
 
 namespace psmks
 {
@@ -118,6 +122,49 @@ TEST_P(PairMatcherContract, AGuessThatIsNotFiniteIsAFailure)
   const MatchResult result = matcher_->match(roomScan({}), roomScan({}), lost);
   EXPECT_EQ(result.status, MatchStatus::InvalidInput);
   EXPECT_FALSE(result.usable());
+}
+
+// Priors that nobody has, and some that are none, in a room and before one wall.
+TEST_P(PairMatcherContract, CovariancesAreValidForEveryPrior)
+{
+  const Scan room = roomScan({}), moved = roomScan(T_ref_cur_);
+  Scan wall = room;
+  for (std::size_t ray = 0; ray < wall.range_m.size(); ++ray)
+    if (ray < 200 || ray > 300) wall.range_m[ray] = 0;
+  for (const double exponent : {-320.0, -200.0, -20.0, -9.0, 9.0, 18.0, 200.0, 307.0})
+    for (const Scan* reference : {&room, static_cast<const Scan*>(&wall)})
+    {
+      Guess guess = guess_;
+      guess.covariance = Eigen::Vector3d(std::pow(10, exponent), 1, std::pow(10, exponent / 2))
+                             .asDiagonal()
+                             .toDenseMatrix();
+      const Eigen::Matrix3d covariance = matcher_->match(*reference, moved, guess).covariance;
+      EXPECT_TRUE(covariance.allFinite()) << exponent << '\n' << covariance;
+      EXPECT_EQ(covariance, covariance.transpose()) << exponent;
+      EXPECT_EQ(covariance.llt().info(), Eigen::Success) << exponent << '\n' << covariance;
+    }
+  Guess lopsided = guess_;
+  lopsided.covariance =
+      Eigen::Matrix3d::Ones() + Eigen::Vector3d(0, 0, 9) * Eigen::RowVector3d(1, 0, 0);
+  EXPECT_EQ(matcher_->match(room, moved, lopsided).covariance.llt().info(), Eigen::Success);
+}
+
+TEST_P(PairMatcherContract, BadInputNeitherThrowsNorGivesInvalidCovariances)
+{
+  test::RandomNumbers random(63);
+  SCOPED_TRACE(random.seedText());
+  test::BadScans scans(random);
+  Scan reference = scans.next();
+  for (int i = 0; i < 300; ++i)
+  {
+    Scan current = scans.next();
+    const MatchResult result = matcher_->match(reference, current, test::anyGuess(random));
+    EXPECT_TRUE(result.T_ref_cur.isFinite()) << i;
+    EXPECT_TRUE(result.covariance.allFinite()) << i << '\n' << result.covariance;
+    EXPECT_EQ(result.covariance, result.covariance.transpose()) << i;
+    EXPECT_EQ(result.covariance.llt().info(), Eigen::Success) << i << '\n' << result.covariance;
+    reference = std::move(current);
+  }
 }
 
 /** What no matcher has prepared. */
