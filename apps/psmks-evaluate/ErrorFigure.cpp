@@ -4,6 +4,7 @@
 #include <psmks/geometry/Angle.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace psmks
@@ -31,6 +32,14 @@ ChartSeries pathOf(const std::string& name, const Trajectory& trajectory,
   return series;
 }
 
+/** Turns a path to its first pose; where that has no heading, only moves it there. */
+Pose2 T_start_world(const StampedPose& start)
+{
+  Pose2 pose = start.pose;
+  if (!start.hasHeading()) pose.phi_rad = 0;
+  return pose.inverse();
+}
+
 /** The paths, laid over the true path; without a ground truth with a common start. */
 Chart pathsChart(const std::vector<Comparison>& comparisons, const std::optional<Trajectory>& truth)
 {
@@ -38,7 +47,7 @@ Chart pathsChart(const std::vector<Comparison>& comparisons, const std::optional
   chart.equalAspect = true;
   for (const Comparison& c : comparisons)
     chart.series.push_back(
-        pathOf(c.name, c.estimate, truth ? align(c.common) : c.estimate.front().pose.inverse()));
+        pathOf(c.name, c.estimate, truth ? align(c.common) : T_start_world(c.estimate.front())));
   if (!truth) return chart;
   chart.series.push_back(pathOf("ground truth", *truth, {}));
   chart.series.back().style = ChartSeries::Style::DashedLine;
@@ -61,7 +70,7 @@ Chart alongPathChart(const std::vector<Comparison>& comparisons, const std::stri
     const auto lengths_m = truePathLengths_m(c.common);
     const auto errors = absoluteErrors(c.common, align(c.common));
     for (std::size_t i = 0; i < errors.size(); ++i)
-      series.points.emplace_back(lengths_m[i], value(errors[i]));
+      if (!std::isnan(value(errors[i]))) series.points.emplace_back(lengths_m[i], value(errors[i]));
     chart.series.push_back(series);
   }
   return chart;

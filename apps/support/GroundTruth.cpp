@@ -2,7 +2,9 @@
 #include <apps/support/ExitCode.h>
 #include <apps/support/GroundTruth.h>
 
+#include <cerrno>
 #include <filesystem>
+#include <iostream>
 
 namespace psmks
 {
@@ -39,9 +41,19 @@ std::optional<std::string> firstFile(const std::vector<std::string>& paths)
 }
 }  // namespace
 
+void tellRemarks(const std::string& kind, const std::string& path, const TrajectoryFile& file)
+{
+  for (const std::string& remark : file.remarks())
+    std::cerr << program_invocation_short_name << ": " << kind << " '" << path << "': " << remark
+              << '\n';
+}
+
 Trajectory readGroundTruth(const std::string& path)
 {
-  return readInput("ground truth", path, [](const auto& file) { return readTrajectory(file); });
+  const TrajectoryFile truth =
+      readInput("ground truth", path, [](const auto& file) { return readTrajectoryFile(file); });
+  tellRemarks("ground truth", path, truth);
+  return truth.trajectory;
 }
 
 std::vector<Relation> readTrueRelations(const std::string& path)

@@ -10,7 +10,11 @@
 
 namespace psmks
 {
-/** Reads the true trajectory of a log.
+/** Tells on stderr what a user should know of a trajectory file.
+ *  @param kind of the file, such as "ground truth" */
+void tellRemarks(const std::string& kind, const std::string& path, const TrajectoryFile& file);
+
+/** Reads the true trajectory of a log, and tells the remarks on it.
  *  @throws ProgramError (kInputDamaged) if the file is missing or is not a trajectory */
 Trajectory readGroundTruth(const std::string& path);
 

@@ -6,7 +6,7 @@
 
 namespace psmks
 {
-std::optional<std::vector<double>> parseNumberRow(std::string_view line)
+std::optional<std::vector<double>> parseNumberRow(std::string_view line, NonFinite nonFinite)
 {
   constexpr std::string_view kBlanks = " \t\r";
   std::vector<double> numbers;
@@ -20,7 +20,8 @@ std::optional<std::vector<double>> parseNumberRow(std::string_view line)
     double number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     const bool isWhole = error == std::errc() && end == word.data() + word.size();
-    if (!isWhole || !std::isfinite(number)) return std::nullopt;
+    const bool isAdmitted = std::isfinite(number) || nonFinite == NonFinite::Admitted;
+    if (!isWhole || !isAdmitted) return std::nullopt;
     numbers.push_back(number);
   }
 }

@@ -3,6 +3,7 @@
 
 #include <psmks/eval/Trajectory.h>
 
+#include <cmath>
 #include <vector>
 
 namespace psmks
@@ -18,6 +19,12 @@ struct CommonPose
    * straight line between poses that are farther apart. This is good enough for errors of
    * positions, but not for errors of motions from scan to scan. */
   bool isMeasured = false;
+
+  /** Whether both headings are known, see StampedPose. */
+  bool hasHeadings() const
+  {
+    return !std::isnan(T_estimated.phi_rad) && !std::isnan(T_true.phi_rad);
+  }
 };
 
 /** The poses of an estimate, in its order, for which the truth is known. The truth is interpolated

@@ -30,7 +30,7 @@ PairErrorStatistics errorStatistics(const std::vector<PairError>& errors, const 
   for (const PairError& error : errors)
   {
     translations_m.push_back(error.translation_m);
-    rotations_rad.push_back(error.rotation_rad);
+    if (!std::isnan(error.rotation_rad)) rotations_rad.push_back(error.rotation_rad);
     squares_m2.push_back(error.translation_m * error.translation_m);
     successes.push_back(isSuccess(error, limit) ? 1 : 0);
   }

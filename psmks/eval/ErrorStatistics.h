@@ -21,7 +21,7 @@ struct ErrorStatistics
 
 ErrorStatistics errorStatistics(const std::vector<double>& errors);
 
-/** Statistics of the errors of poses or motions. */
+/** Statistics of the errors of poses or motions. Rotations that are not known are left out. */
 struct PairErrorStatistics
 {
   std::size_t count = 0;

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/base/NumberRow.h>
 #include <psmks/eval/Trajectory.h>
 
 #include <string>
@@ -19,7 +20,8 @@ struct NumberRow
  * and ends with its line; blank lines are skipped.
  *  @param content what a row stands for, such as "pose", for the message of the error
  *  @throws TrajectoryFileError if the file cannot be read or has no row */
-std::vector<NumberRow> readNumberRows(const std::string& path, const std::string& content);
+std::vector<NumberRow> readNumberRows(const std::string& path, const std::string& content,
+                                      NonFinite nonFinite = NonFinite::Refused);
 
 /** Refuses a row.
  *  @throws TrajectoryFileError always; the text gives file, line and reason */

@@ -15,7 +15,7 @@ PairError pairError(const Pose2& T_ref_cur, const Pose2& T_ref_cur_true)
 
 bool isSuccess(const PairError& error, const PairError& limit)
 {
-  return error.translation_m < limit.translation_m && error.rotation_rad < limit.rotation_rad;
+  return error.translation_m < limit.translation_m && !(error.rotation_rad >= limit.rotation_rad);
 }
 
 bool isAcceptedAndWrong(MatchStatus status, const PairError& error, const PairError& limit)

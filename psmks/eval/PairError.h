@@ -13,7 +13,7 @@ namespace psmks
 struct PairError
 {
   double translation_m = 0;  //!< >= 0
-  double rotation_rad = 0;   //!< >= 0
+  double rotation_rad = 0;   //!< >= 0; NaN where a heading is not known
 };
 
 /** The default limit of a success: both errors of a match must be below it. */
@@ -24,6 +24,7 @@ constexpr double kWrongFactor = 2;
 
 PairError pairError(const Pose2& T_ref_cur, const Pose2& T_ref_cur_true);
 
+/** Whether both errors are below the limit; a rotation that is not known counts as such. */
 bool isSuccess(const PairError& error, const PairError& limit = kSuccessLimit);
 
 /** Whether a match was reported as usable, without an unobservable direction, and yet is wrong.

@@ -59,7 +59,8 @@ double rotationBetween(const std::vector<CommonPose>& common, const Centroids& c
   {
     positions.addTurn(T_estimated.translation() - centroids.estimated,
                       T_true.translation() - centroids.truth);
-    headings.addAngle(T_true.phi_rad - T_estimated.phi_rad);
+    const double turn_rad = T_true.phi_rad - T_estimated.phi_rad;
+    if (!std::isnan(turn_rad)) headings.addAngle(turn_rad);
   }
   return (positions.strength() > kOpen_m2 ? positions : headings).angle_rad();
 }
@@ -68,7 +69,12 @@ double rotationBetween(const std::vector<CommonPose>& common, const Centroids& c
 Pose2 alignAtFirstPose(const std::vector<CommonPose>& common)
 {
   if (common.empty()) return {};
-  return common.front().T_true * common.front().T_estimated.inverse();
+  const CommonPose& first = common.front();
+  if (first.hasHeadings()) return first.T_true * first.T_estimated.inverse();
+  const Pose2 turned{0, 0, align(common).phi_rad};
+  const Eigen::Vector2d shift =
+      first.T_true.translation() - turned * first.T_estimated.translation();
+  return {shift.x(), shift.y(), turned.phi_rad};
 }
 
 // The centroids are laid over each other, and the estimate is turned about them by the angle that
@@ -100,7 +106,7 @@ std::vector<PairError> stepErrors(const std::vector<CommonPose>& common)
   const CommonPose* last = nullptr;
   for (const CommonPose& pose : common)
   {
-    if (!pose.isMeasured) continue;
+    if (!pose.isMeasured || !pose.hasHeadings()) continue;
     if (last) errors.push_back(motionError(*last, pose));
     last = &pose;
   }
@@ -116,6 +122,7 @@ std::vector<PairError> driftErrors(const std::vector<CommonPose>& common, double
   {
     while (to < common.size() && path_m[to] - path_m[from] < length_m) ++to;
     if (to == common.size()) break;
+    if (!common[from].hasHeadings() || !common[to].hasHeadings()) continue;
     const PairError error = motionError(common[from], common[to]);
     const double scale = length_m / (path_m[to] - path_m[from]);
     errors.push_back({scale * error.translation_m, scale * error.rotation_rad});

@@ -9,7 +9,8 @@
 namespace psmks
 {
 /** The transformation T_truth_estimate that makes estimate and truth coincide at the first common
- * pose, as in the paper. It is the identity without poses. */
+ * pose, as in the paper. Where a heading of that pose is not known, only its positions coincide,
+ * and the rotation is that of align(). It is the identity without poses. */
 Pose2 alignAtFirstPose(const std::vector<CommonPose>& common);
 
 /** The transformation T_truth_estimate with the least sum of squared distances between the
@@ -17,16 +18,18 @@ Pose2 alignAtFirstPose(const std::vector<CommonPose>& common);
  * determine the rotation, as for a robot at rest, the headings do. */
 Pose2 align(const std::vector<CommonPose>& common);
 
-/** The errors of the poses, T_true^-1 T_truth_estimate T_estimated, one for each. */
+/** The errors of the poses, T_true^-1 T_truth_estimate T_estimated, one for each. The rotation is
+ * NaN where a heading is not known. */
 std::vector<PairError> absoluteErrors(const std::vector<CommonPose>& common,
                                       const Pose2& T_truth_estimate);
 
-/** The errors of the motions between consecutive poses at which the truth was measured. */
+/** The errors of the motions between consecutive poses at which the truth was measured with its
+ * heading. */
 std::vector<PairError> stepErrors(const std::vector<CommonPose>& common);
 
 /** The errors of the motions over a length of the true path: from each pose to the first one that
  * is at least this length further along the path, scaled to exactly this length. There are none if
- * the path is shorter.
+ * the path is shorter, and none between poses without a heading.
  *  @param length_m > 0 */
 std::vector<PairError> driftErrors(const std::vector<CommonPose>& common, double length_m);
 

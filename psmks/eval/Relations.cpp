@@ -30,7 +30,7 @@ std::vector<RelationError> relationErrors(const Trajectory& estimate,
   {
     const auto from = index.nearest(from_s, kStampTolerance_s);
     const auto to = index.nearest(to_s, kStampTolerance_s);
-    if (!from || !to) continue;
+    if (!from || !to || !estimate[*from].hasHeading() || !estimate[*to].hasHeading()) continue;
     const Pose2 T_from_to_estimated = estimate[*from].pose.inverse() * estimate[*to].pose;
     const auto [error_m, error_rad] = pairError(T_from_to_estimated, T_from_to);
     errors.push_back({std::abs(to_s - from_s), error_m, error_rad});

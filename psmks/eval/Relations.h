@@ -37,8 +37,8 @@ struct RelationError
  * T_from_to^-1 T_from_to_estimated.
  *
  * The pose at a time is the one with the nearest stamp, which is at most kStampTolerance_s away. A
- * relation is left out if one of its two poses does not exist. The stamps of the estimate may
- * repeat and go backwards; of poses with the same stamp the first one counts. */
+ * relation is left out if one of its two poses does not exist or has no heading. The stamps of the
+ * estimate may repeat and go backwards; of poses with the same stamp the first one counts. */
 std::vector<RelationError> relationErrors(const Trajectory& estimate,
                                           const std::vector<Relation>& relations);
 }  // namespace psmks

@@ -97,6 +97,30 @@ TEST_F(PsmksEvaluate, HoldsATrajectoryAgainstItsGroundTruth)
   EXPECT_TRUE(first["mean_squared_m2"].is_null()) << "published of relations only";
 }
 
+TEST_F(PsmksEvaluate, AGroundTruthWithoutHeadingsTellsErrorsOfPositionsAlone)
+{
+  writeEstimate();
+  std::ofstream file(path("station.tum"));
+  file << "nan nan nan nan nan nan nan nan\n" << std::fixed;
+  for (const auto& [stamp_s, pose] : truth_)
+    file << stamp_s << ' ' << pose.x_m << ' ' << pose.y_m << " 0 0 0 0 0\n";
+  file.close();
+  const auto result = run("-e estimate.tum -g station.tum --json errors.json --plot errors.svg");
+  if (hasGnuplot())
+  {
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+  }
+  EXPECT_TRUE(says(result.errors, {"psmks-evaluate: ground truth 'station.tum': 1 of 22 rows has "
+                                   "no position",
+                                   "21 of 22 rows have no heading"}))
+      << result.errors;
+  const Json first = rowOf("poses, aligned");
+  EXPECT_EQ(first["count"], 21);
+  EXPECT_LT(first["max_m"], 0.5);
+  EXPECT_TRUE(first["mean_deg"].is_null());
+  EXPECT_EQ(rowOf("steps")["count"], 0);
+}
+
 TEST_F(PsmksEvaluate, HoldsATrajectoryAgainstRelations)
 {
   writeEstimate();

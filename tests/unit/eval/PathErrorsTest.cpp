@@ -179,6 +179,25 @@ TEST(PathErrorsTest, TheTruePathIsMeasured)
   for (std::size_t i = 0; i < 17; ++i) EXPECT_NEAR(lengths_m[i], static_cast<double>(i), 1e-12);
 }
 
+TEST(PathErrorsTest, WithoutHeadingsOnlyPositionsAreCompared)
+{
+  Common common = squareSeenAs(
+      [](std::size_t, const Pose2& pose) {
+        return Pose2{-3, 1, 0.7} * pose;
+      });
+  for (CommonPose& pose : common) pose.T_true.phi_rad = std::nan("");
+  for (const Pose2& T : {alignAtFirstPose(common), align(common)})
+    for (const PairError& error : absoluteErrors(common, T))
+    {
+      EXPECT_NEAR(error.translation_m, 0, 1e-9);
+      EXPECT_TRUE(std::isnan(error.rotation_rad));
+    }
+  EXPECT_TRUE(stepErrors(common).empty());
+  EXPECT_TRUE(driftErrors(common, 3).empty());
+  common[5].T_true.phi_rad = common[6].T_true.phi_rad = kPi / 2;
+  EXPECT_EQ(stepErrors(common).size(), 1u);
+}
+
 TEST(PathErrorsTest, WithoutPosesThereIsNoError)
 {
   EXPECT_TRUE(isNearly(align({}), {}, 0, 0));

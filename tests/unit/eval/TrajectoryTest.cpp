@@ -7,6 +7,7 @@
 #include <tests/support/ThrownText.h>
 
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 namespace psmks
@@ -72,14 +73,65 @@ TEST_F(TrajectoryTest, DamagedFilesAreRefusedWithTheirLine)
   EXPECT_NE(
       test::thrownText<TrajectoryFileError>([&] { read("1 2 3 abc\n"); }).find(":1: expected"),
       std::string::npos);
+  EXPECT_NE(test::thrownText<TrajectoryFileError>([&] { read("1 2 nan 4\n"); })
+                .find("none of its 1 rows has a position"),
+            std::string::npos);
   EXPECT_NE(
-      test::thrownText<TrajectoryFileError>([&] { read("1 2 nan 4\n"); }).find(":1: expected"),
+      test::thrownText<TrajectoryFileError>([&] { read("1 nan nan\n"); }).find(":1: expected"),
       std::string::npos);
   EXPECT_NE(
       test::thrownText<TrajectoryFileError>([&] { read("2 0 0 0\n1 0 0 0\n"); }).find("earlier"),
       std::string::npos);
   EXPECT_NE(test::thrownText<TrajectoryFileError>([&] { read("# nothing\n"); }).find("no pose"),
             std::string::npos);
+}
+
+TEST_F(TrajectoryTest, AQuaternionMayHaveAnyLength)
+{
+  const double half_rad = degToRad(35);
+  for (const double length : {1e-3, 1.0, 2.0, 1e3})
+  {
+    std::ostringstream text;
+    text << std::setprecision(17) << "1 2 3 0 0 0 " << length * std::sin(half_rad) << ' '
+         << length * std::cos(half_rad) << '\n';
+    EXPECT_NEAR(read(text.str())[0].pose.phi_rad, degToRad(70), 1e-12) << length;
+  }
+}
+
+TEST_F(TrajectoryTest, AZeroQuaternionAndOneOfNansStateNoHeading)
+{
+  std::ofstream(path_) << "1 2 3 0 0 0 0 0\n2 2 3 0 nan nan nan nan\n3 2 3 0 0 0 0 1\n";
+  const TrajectoryFile file = readTrajectoryFile(path_);
+  ASSERT_EQ(file.trajectory.size(), 3u);
+  EXPECT_FALSE(file.trajectory[0].hasHeading());
+  EXPECT_FALSE(file.trajectory[1].hasHeading());
+  EXPECT_TRUE(file.trajectory[2].hasHeading());
+  EXPECT_EQ(file.posesWithoutHeading, 2);
+  ASSERT_EQ(file.remarks().size(), 1u);
+  EXPECT_NE(file.remarks()[0].find("2 of 3 rows have no heading"), std::string::npos);
+}
+
+//  4   3     Measured by a total station: the path turns, and all quaternions are the identity.
+//      |     On a straight way (2) an identity is a heading.
+//  1---2
+TEST_F(TrajectoryTest, IdentitiesThroughoutATurningPathStateNoHeading)
+{
+  const std::string straight = "1 0 0 0 0 0 0 1\n2 3 0 0 0 0 0 1\n";
+  EXPECT_TRUE(read(straight)[1].hasHeading());
+  const Trajectory turning = read(straight + "3 3 3 0 0 0 0 1\n4 0 3 0 0 0 0 1\n");
+  for (const StampedPose& pose : turning) EXPECT_FALSE(pose.hasHeading());
+}
+
+TEST_F(TrajectoryTest, RowsWithoutAPositionAreLeftOutAndCounted)
+{
+  std::ofstream(path_) << "1 nan nan nan nan nan nan nan\n2 5 6 0 0 0 0 1\nnan 1 1 0 0 0 0 1\n"
+                       << "3 inf 1 0 0 0 0 1\n";
+  const TrajectoryFile file = readTrajectoryFile(path_);
+  ASSERT_EQ(file.trajectory.size(), 1u);
+  EXPECT_EQ(file.trajectory[0].pose.x_m, 5);
+  EXPECT_EQ(file.rows, 4);
+  EXPECT_EQ(file.rowsWithoutPosition, 3);
+  EXPECT_NE(file.remarks().at(0).find("3 of 4 rows have no position"), std::string::npos);
 }
 
 TEST_F(TrajectoryTest, StampsThatGoBackwardsAreReadWhereTheyAreExpected)
