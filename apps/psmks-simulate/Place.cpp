@@ -3,6 +3,7 @@
 #include <apps/psmks-simulate/People.h>
 #include <apps/psmks-simulate/Place.h>
 #include <apps/support/ExitCode.h>
+#include <psmks/logs/GuardedProcess.h>
 #include <psmks/sim/MapFile.h>
 #include <psmks/sim/WorldIndex.h>
 #include <psmks/sim/Worlds.h>
@@ -114,9 +115,26 @@ Place placeOf(const CommandLine& c, GridmapRanges map)
   return place;
 }
 
+/** Memory that a grid map may take: a thousand times its file, which is how much gzip makes of it,
+ * but at least 64 MB and at most 1 GB. */
+std::size_t mapMemory_bytes(const std::string& path)
+{
+  constexpr std::size_t kTimes = 1000, kLeast = std::size_t{1} << 26, kMost = std::size_t{1} << 30;
+  std::error_code ignored;
+  const std::size_t file_bytes = std::filesystem::file_size(path, ignored);
+  return file_bytes > kMost / kTimes ? kMost : std::max(kLeast, kTimes * file_bytes);
+}
+
+/** Reads a map, which MRPT decodes: first in a process of its own, for one that is damaged can
+ * crash its decoder. */
 GridmapRanges readGridmap(const std::string& path, std::optional<double> pixel_m)
 {
-  if (endsIn(path, ".gridmap") || endsIn(path, ".gridmap.gz")) return loadGridmap(path);
+  if (endsIn(path, ".gridmap") || endsIn(path, ".gridmap.gz"))
+  {
+    if (!endsWell(mapMemory_bytes(path), [&path] { loadGridmap(path); }))
+      throw GridmapError("'" + path + "' is no MRPT grid map, or is damaged");
+    return loadGridmap(path);
+  }
   if (!pixel_m)
     throw ProgramError(kUsage, "'" + path + "' is an image by its name, add --resolution_m");
   return loadImageAsGridmap(path, *pixel_m);

@@ -2,6 +2,7 @@
 #include <psmks/eval/OccupiedCells.h>
 #include <psmks/segmentation/Preprocessing.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace psmks
@@ -10,7 +11,9 @@ namespace
 {
 int cellOf(double coordinate_m)
 {
-  return static_cast<int>(std::floor(coordinate_m / OccupiedCells::kCell_m));
+  constexpr double kFarthest = 1e9;  // an int holds it
+  return static_cast<int>(
+      std::clamp(std::floor(coordinate_m / OccupiedCells::kCell_m), -kFarthest, kFarthest));
 }
 }  // namespace
 

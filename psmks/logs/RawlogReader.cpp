@@ -3,11 +3,10 @@
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/poses/CPose3D.h>
-#include <mrpt/serialization/CArchive.h>
 #include <psmks/logs/RawlogReader.h>
 #include <psmks/mrpt/Convert.h>
 
-#include <regex>
+#include <cmath>
 #include <utility>
 
 namespace psmks
@@ -28,6 +27,7 @@ std::optional<Pose2> motionOf(const CActionCollection& actions)
 {
   for (const auto& action : actions)
   {
+    if (!action.get()) return std::nullopt;  // damaged
     const auto* motion = dynamic_cast<const CActionRobotMovement2D*>(action.get());
     if (motion && motion->estimationMethod == CActionRobotMovement2D::emOdometry)
       return toPose2(motion->rawOdometryIncrementReading);
@@ -37,74 +37,65 @@ std::optional<Pose2> motionOf(const CActionCollection& actions)
   return toPose2(mrpt::poses::CPose2D(mean));
 }
 
+/** Whether a robot can have a scanner there. */
+bool isMounting(const mrpt::poses::CPose3D& pose)
+{
+  /** Largest offset of a scanner. Definition: a ship. */
+  constexpr double kLargest_m = 100;
+  const bool isFinite = std::isfinite(pose.yaw()) && std::isfinite(pose.pitch()) &&
+                        std::isfinite(pose.roll()) && std::isfinite(pose.norm());
+  return isFinite && pose.norm() < kLargest_m;
+}
+
+/** Whether a robot can have moved so between two scans. */
+bool isMotion(const Pose2& motion)
+{
+  /** Farthest motion. Definition: half way round the Earth. */
+  constexpr double kFarthest_m = 2e7;
+  return motion.isFinite() && motion.translation().norm() < kFarthest_m;
+}
+
+std::string countedThings(int count, const std::string& thing, const std::string& things)
+{
+  return std::to_string(count) + ' ' + (count == 1 ? thing : things);
+}
+
 mrpt::Clock::time_point timeOf(const CActionCollection& actions)
 {
   for (const auto& action : actions)
-    if (action->timestamp != INVALID_TIMESTAMP) return action->timestamp;
+    if (action.get() && action->timestamp != INVALID_TIMESTAMP) return action->timestamp;
   return INVALID_TIMESTAMP;
-}
-
-/** Shortens an error text of MRPT, which contains source lines and addresses, to the name of the
- * missing class. */
-std::string readableReason(const std::string& mrptError)
-{
-  static const std::regex kUnknownClass("class '([A-Za-z0-9_:]+)' which is not registered");
-  std::smatch match;
-  if (std::regex_search(mrptError, match, kUnknownClass))
-    return "is of the unknown class '" + match[1].str() + "'";
-  return "cannot be decoded";
 }
 }  // namespace
 
 RawlogReader::RawlogReader(const std::string& path, std::optional<std::string> sensorLabel)
-    : file_(path), sensorLabel_(std::move(sensorLabel))
+    : entries_(path), sensorLabel_(std::move(sensorLabel))
 {
-  if (!file_.isOpen())
-    damage_ = "no such file, or not to be read";
-  else if (file_.isAtEnd())
-    damage_ = file_.error().empty() ? "the file is empty" : file_.error();
 }
 
 bool RawlogReader::next(LaserFrame& frame)
 {
   while (frames_.empty())
-    if (!readEntry()) return false;
+  {
+    const auto entry = entries_.next();
+    if (!entry) return false;
+    take(entry);
+  }
   frame = std::move(frames_.front());
   frames_.pop_front();
   return true;
 }
 
-bool RawlogReader::readEntry()
+std::vector<std::string> RawlogReader::remarks() const
 {
-  if (!damage_.empty()) return false;
-  if (file_.isAtEnd())
-  {
-    if (!file_.error().empty()) reportDamage("");
-    return false;
-  }
-  try
-  {
-    auto archive = mrpt::serialization::archiveFrom(file_);
-    const CSerializable::Ptr entry = archive.ReadObject();
-    ++entriesRead_;
-    take(entry);
-    return true;
-  }
-  catch (const std::exception& error)
-  {
-    reportDamage(error.what());
-    return false;
-  }
-}
-
-void RawlogReader::reportDamage(const std::string& error)
-{
-  const std::string entry = "entry " + std::to_string(entriesRead_ + 1);
-  const std::string reason = !file_.error().empty() ? file_.error()
-                             : file_.isAtEnd()      ? "the file ends within " + entry
-                                                    : entry + " " + readableReason(error);
-  damage_ = entriesRead_ > 0 ? "read " + std::to_string(entriesRead_) + " entries, then: " + reason
-                             : "not an MRPT rawlog: " + reason;
+  std::vector<std::string> remarks;
+  if (absurdScans_ > 0)
+    remarks.push_back(countedThings(absurdScans_, "scan", "scans") +
+                      " left out, for the scanner would not be on a robot");
+  if (absurdMotions_ > 0)
+    remarks.push_back(countedThings(absurdMotions_, "motion", "motions") +
+                      " of the odometry left out, for no robot moves so far");
+  return remarks;
 }
 
 void RawlogReader::take(const CSerializable::Ptr& entry)
@@ -128,8 +119,10 @@ void RawlogReader::takeActions(const CActionCollection& actions)
 
 void RawlogReader::takeSensoryFrame(const CSensoryFrame& frame)
 {
-  for (const auto& observation : frame) takeOdometry(*observation);
-  for (const auto& observation : frame) takeObservation(observation);
+  for (const auto& observation : frame)
+    if (observation) takeOdometry(*observation);
+  for (const auto& observation : frame)
+    if (observation) takeObservation(observation);
 }
 
 void RawlogReader::takeOdometry(const CObservation& observation)
@@ -144,9 +137,13 @@ void RawlogReader::takeOdometry(const CObservation& observation)
 void RawlogReader::takeObservation(const CObservation::Ptr& observation)
 {
   if (std::dynamic_pointer_cast<CObservationOdometry>(observation)) return;
-  observations_.insert(observation);
-
   const auto scan = std::dynamic_pointer_cast<CObservation2DRangeScan>(observation);
+  if (scan && !isMounting(scan->sensorPose))
+  {
+    ++absurdScans_;
+    return;
+  }
+  observations_.insert(observation);
   if (!scan) return;
   ++scansOfSensors_[scan->sensorLabel];
   if (!sensorLabel_) sensorLabel_ = scan->sensorLabel;
@@ -159,6 +156,11 @@ void RawlogReader::finishFrame(const CObservation2DRangeScan::Ptr& scan)
   frame.scan = scan;
   frame.stamp_s = stampOf(*scan);
   frame.odometry = motion_.untilScan(frame.stamp_s);
+  if (frame.odometry && !isMotion(*frame.odometry))
+  {
+    frame.odometry.reset();
+    ++absurdMotions_;
+  }
   frame.observations = observations_;
   frames_.push_back(std::move(frame));
   observations_.clear();
