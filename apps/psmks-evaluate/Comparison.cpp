@@ -1,6 +1,8 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-evaluate/Comparison.h>
 #include <apps/support/ExitCode.h>
+#include <apps/support/GroundTruth.h>
+#include <apps/support/UnitHints.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -33,7 +35,8 @@ bool areDistinct(const std::vector<std::string>& names)
 std::string noCommonPosesText(const std::string& path, const Trajectory& estimate,
                               const Trajectory& truth)
 {
-  const std::string sentence = "the ground truth has no pose at the time of any of " + path;
+  const std::string sentence = "the ground truth has no pose at the time of any of " + path +
+                               (isNumbered(truth) ? "" : stampHint(estimate, truth));
   if (!isNumbered(truth)) return sentence;
   return sentence + "; its stamps are but the numbers of its " + std::to_string(truth.size()) +
          " rows, which go with as many poses or one more, not with " +
@@ -57,7 +60,9 @@ Trajectory readEstimate(const std::string& path)
 {
   try
   {
-    return readTrajectory(path, StampOrder::Any);
+    const TrajectoryFile file = readTrajectoryFile(path, StampOrder::Any);
+    tellRemarks("estimate", path, file);
+    return file.trajectory;
   }
   catch (const TrajectoryFileError& error)
   {
