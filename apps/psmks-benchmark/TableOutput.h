@@ -15,8 +15,8 @@ class TableOutput
  public:
   void addFlags(CLI::App& command) { files_.addFlags(command); }
 
-  /** Creates the files now, so that a mistyped path is reported before the work is done. */
-  void open() { files_.open(); }
+  /** Checks the paths of the files, so that a mistyped one is reported before the work is done. */
+  void check() const { files_.check(); }
 
   /** Writes tables to the terminal and to the files.
    *  @param tables all with the same columns */

@@ -110,5 +110,5 @@ ExitCode run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-  return psmks::exitCodeOf("psmks-benchmark", [&] { return psmks::run(argc, argv); });
+  return psmks::runToEnd("psmks-benchmark", [&] { return psmks::run(argc, argv); });
 }

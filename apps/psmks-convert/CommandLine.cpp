@@ -27,7 +27,9 @@ constexpr const char* kFooter =
     "observations.\n"
     "A pair's true motion is that of the ground truth, its guess that of the odometry.\n\n"
     "Exit codes: 0 ok; 1 usage; 2 input missing or damaged (what was read before the damage is\n"
-    "converted); 3 nothing to convert.";
+    "converted); 3 nothing to convert; 5 the output cannot be written; 128 + N stopped by signal "
+    "N\n"
+    "(what was read before it is converted).";
 
 void addFlags(CLI::App& app, CommandLine& c)
 {

@@ -3,6 +3,7 @@
 #include <apps/psmks-convert/LogSink.h>
 #include <apps/support/LogScan.h>
 #include <apps/support/Progress.h>
+#include <apps/support/StopSignal.h>
 #include <psmks/logs/OpenLog.h>
 
 #include <iostream>
@@ -54,7 +55,7 @@ ExitCode convertLog(const CommandLine& commandLine)
   {
     sink->write(frame);
     progress.show(reader->shareRead());
-  } while (++scans != commandLine.maxScans && reader->next(frame));
+  } while (++scans != commandLine.maxScans && !isToStop() && reader->next(frame));
 
   report(commandLine.input, *reader);
   const std::string& made = commandLine.output.empty() ? commandLine.input : commandLine.output;

@@ -2,6 +2,7 @@
 #include <apps/psmks-convert/LogSink.h>
 #include <apps/psmks-convert/PairsSink.h>
 #include <apps/psmks-convert/SensorSink.h>
+#include <apps/support/ReplacedFile.h>
 #include <apps/support/TextFile.h>
 #include <psmks/logs/CarmenWriter.h>
 #include <psmks/logs/RawlogWriter.h>
@@ -14,30 +15,9 @@ class RawlogSink : public LogSink
 {
  public:
   RawlogSink(const std::string& path, RawlogFormat format)
-      : writer_(RawlogWriter::Options{format, {}, {}})
+      : path_(path), file_(path), writer_(RawlogWriter::Options{format, {}, {}})
   {
-    requireWritten(writer_.open(path), path);
-  }
-
-  void write(const LaserFrame& frame) override
-  {
-    writer_.write(frame);
-    ++scans_;
-  }
-
-  std::string finish() override { return std::to_string(scans_) + " scans"; }
-
- private:
-  RawlogWriter writer_;
-  int scans_ = 0;
-};
-
-class CarmenSink : public LogSink
-{
- public:
-  explicit CarmenSink(const std::string& path) : path_(path)
-  {
-    requireWritten(writer_.open(path), path);
+    requireCreated(writer_.open(file_.beside()), path);
   }
 
   void write(const LaserFrame& frame) override
@@ -48,12 +28,40 @@ class CarmenSink : public LogSink
 
   std::string finish() override
   {
-    requireWritten(writer_.close(), path_);
+    requireWritten(writer_.close() && file_.moveIntoPlace(), path_);
     return std::to_string(scans_) + " scans";
   }
 
  private:
   std::string path_;
+  ReplacedFile file_;
+  RawlogWriter writer_;
+  int scans_ = 0;
+};
+
+class CarmenSink : public LogSink
+{
+ public:
+  explicit CarmenSink(const std::string& path) : path_(path), file_(path)
+  {
+    requireCreated(writer_.open(file_.beside()), path);
+  }
+
+  void write(const LaserFrame& frame) override
+  {
+    requireWritten(writer_.write(frame), path_);
+    ++scans_;
+  }
+
+  std::string finish() override
+  {
+    requireWritten(writer_.close() && file_.moveIntoPlace(), path_);
+    return std::to_string(scans_) + " scans";
+  }
+
+ private:
+  std::string path_;
+  ReplacedFile file_;
   CarmenWriter writer_;
   int scans_ = 0;
 };

@@ -16,12 +16,12 @@ class LogSink
   virtual ~LogSink() = default;
 
   /** Appends a frame.
-   *  @throws std::exception if the file cannot be written */
+   *  @throws ProgramError if the file cannot be written */
   virtual void write(const LaserFrame& frame) = 0;
 
   /** Has to be called after the last frame.
    *  @return a description of the file for a sentence, such as "1051 scans"
-   *  @throws std::exception if the file cannot be written */
+   *  @throws ProgramError if the file cannot be written */
   virtual std::string finish() = 0;
 };
 

@@ -2,6 +2,8 @@
 #include <apps/psmks-convert/PairsSink.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/GroundTruth.h>
+#include <apps/support/ReplacedFile.h>
+#include <apps/support/TextFile.h>
 
 #include <cmath>
 #include <utility>
@@ -23,6 +25,13 @@ Pose2 ofSensors(const Pose2& T_ref_cur, const Pose2& T_ref_sensor, const Pose2& 
   return T_ref_sensor.inverse() * T_ref_cur * T_cur_sensor;
 }
 
+/** @throws ProgramError if a file cannot be created */
+const std::string& creatable(const std::string& path)
+{
+  requireCreated(isCreatable(path), path);
+  return path;
+}
+
 std::string remark(int count, const std::string& what)
 {
   return count == 0 ? "" : "; " + std::to_string(count) + " " + what;
@@ -30,7 +39,10 @@ std::string remark(int count, const std::string& what)
 }  // namespace
 
 PairsSink::PairsSink(const std::string& path, const std::string& groundTruth, int every)
-    : path_(path), truth_(readGroundTruth(groundTruth)), truthIndex_(truth_), every_(every)
+    : path_(creatable(path)),
+      truth_(readGroundTruth(groundTruth)),
+      truthIndex_(truth_),
+      every_(every)
 {
 }
 
@@ -52,7 +64,7 @@ void PairsSink::write(const LaserFrame& frame)
 std::optional<PairsSink::Taken> PairsSink::taken(const LaserFrame& frame)
 {
   const auto truth = truthIndex_.nearest(frame.stamp_s, kStampTolerance_s);
-  if (!truth)
+  if (!truth || !truth_[*truth].hasHeading())
   {
     ++withoutTruth_;
     return std::nullopt;
@@ -85,9 +97,15 @@ std::string PairsSink::finish()
   if (pairs_.empty())
     throw ProgramError(kNothingToDo, "no two scans follow each other whose true poses are known");
   header_.pairs = static_cast<int>(pairs_.size());
-  PairsWriter writer(path_, header_);
-  for (const auto& pair : pairs_) writer.write(pair);
-  writer.close();
+  requireWritten(replaceFile(path_,
+                             [this](const std::string& beside)
+                             {
+                               PairsWriter writer(beside, header_);
+                               for (const auto& pair : pairs_) writer.write(pair);
+                               writer.close();
+                               return true;
+                             }),
+                 path_);
   return std::to_string(pairs_.size()) + " pairs" +
          remark(withoutTruth_, "scans without a true pose left out") +
          remark(withOtherRays_, "scans with other rays left out") +

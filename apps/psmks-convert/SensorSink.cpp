@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-convert/SensorSink.h>
 #include <apps/support/LogScan.h>
+#include <apps/support/ReplacedFile.h>
 #include <apps/support/TextFile.h>
 #include <psmks/eval/Figure.h>
 #include <psmks/eval/Table.h>
@@ -79,8 +80,9 @@ void draw(const SensorReport& report, const std::string& path)
   plot("straight walls", report.walls, chart);
   plot("standing", report.standing, chart);
   std::string reason;
-  if (!chart.series.empty() && !save(chart, path, &reason))
-    throw ProgramError(kUsage, "cannot write '" + path + "': " + reason);
+  const auto write = [&](const std::string& beside) { return save(chart, beside, &reason); };
+  if (!chart.series.empty() && !replaceFile(path, write))
+    throw ProgramError(kOutputFailed, "cannot write '" + path + "': " + reason);
 }
 }  // namespace
 
@@ -96,8 +98,8 @@ std::string SensorSink::finish()
   std::cout << textOf(report);
   const std::string scans = std::to_string(scans_) + " scans";
   if (path_.empty()) return scans;
-  draw(report, pictureBeside(path_));
   writeTextFile(path_, [&report](std::ostream& file) { file << report.sensorFile(); });
+  draw(report, pictureBeside(path_));
   return scans;
 }
 }  // namespace psmks

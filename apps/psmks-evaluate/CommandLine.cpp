@@ -27,7 +27,7 @@ constexpr const char* kFooter =
     "  psmks-evaluate --estimate psmks.tum icp.tum --relations fr079.relations --csv errors.csv\n\n"
     "Exit codes: 0 ok; 1 usage; 2 a file is missing or damaged; 3 an estimate has nothing in "
     "common\n"
-    "with what it is held against.";
+    "with what it is held against; 5 an output cannot be written.";
 
 void addInputFlags(CLI::App& app, CommandLine& c)
 {
@@ -84,12 +84,12 @@ void addFlags(CLI::App& app, CommandLine& c)
   addOutputFlags(app, c);
 }
 
-/** Opens the files after all other checks, so that a mistyped flag creates none. */
 void check(CommandLine& commandLine)
 {
   if (commandLine.groundTruth.empty() && commandLine.relations.empty())
     throw CLI::RequiredError("--ground-truth or --relations");
-  commandLine.files.open();
+  commandLine.files.check();
+  if (!commandLine.plot.empty()) requireCreatable("--plot", commandLine.plot);
 }
 }  // namespace
 

@@ -5,6 +5,9 @@
 #include <apps/psmks-evaluate/Evaluate.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/GroundTruth.h>
+#include <apps/support/ReplacedFile.h>
+#include <apps/support/TextFile.h>
+#include <apps/support/UnitHints.h>
 #include <psmks/eval/PathErrors.h>
 
 #include <iomanip>
@@ -40,6 +43,8 @@ std::vector<Comparison> compare(const CommandLine& c, const Truth& truth)
     const Trajectory& estimate = comparison.estimate;
     if (truth.trajectory)
       comparison.common = requireCommonPoses(path, estimate, *truth.trajectory, c.skippedPoses);
+    for (const std::string& hint : unitHints(comparison.common))
+      std::cerr << "psmks-evaluate: '" << path << "': " << hint << '\n';
     if (!truth.relations.empty())
       comparison.relations = requireRelationErrors(path, estimate, truth.relations);
     comparisons.push_back(std::move(comparison));
@@ -64,11 +69,20 @@ void printCoverage(std::ostream& out, const std::vector<Comparison>& comparisons
   }
 }
 
+/** Draws beside the place of the picture.
+ *  @throws ProgramError that says why it cannot be drawn */
 void draw(const std::string& path, const std::vector<Comparison>& comparisons, const Truth& truth)
 {
   std::string reason;
-  if (!save(errorFigure(comparisons, truth.trajectory), path, &reason))
-    throw ProgramError(kUsage, reason);
+  ReplacedFile file(path);
+  const Figure figure = errorFigure(comparisons, truth.trajectory);
+  if (!save(figure, file.beside(), &reason))
+  {
+    const auto at = reason.find(file.beside());
+    if (at != std::string::npos) reason.replace(at, file.beside().size(), path);
+    throw ProgramError(kOutputFailed, reason);
+  }
+  requireWritten(file.moveIntoPlace(), path);
 }
 }  // namespace
 
@@ -79,7 +93,7 @@ void evaluate(CommandLine& commandLine)
   const auto tables = errorTables(comparisons, commandLine);
   printCoverage(std::cout, comparisons, truth);
   for (const Table& table : tables) std::cout << '\n' << toText(table);
-  commandLine.files.save(tables);
   if (!commandLine.plot.empty()) draw(commandLine.plot, comparisons, truth);
+  commandLine.files.save(tables);
 }
 }  // namespace psmks

@@ -14,7 +14,8 @@ constexpr const char* kDescription =
 constexpr const char* kFooter =
     "Beside FILE.rawlog it writes FILE.gt.tum and FILE.GT.txt, the true poses of the robot at its\n"
     "scans (TUM; 'time x y phi' as MRPT's graphslam-engine reads it), and FILE.world.png.\n\n"
-    "Exit codes: 0 ok; 1 usage; 2 a world or a route is missing or damaged.";
+    "Exit codes: 0 ok; 1 usage; 2 a world or a route is missing or damaged; 5 an output cannot be\n"
+    "written; 128 + N stopped by signal N (what was driven before it is written).";
 
 const CLI::Range kNotNegative(0.0, 1e6);
 

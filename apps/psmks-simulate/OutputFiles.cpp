@@ -28,11 +28,11 @@ Trajectory truthOf(const Recording& recording)
 
 OutputFiles::OutputFiles(const std::string& rawlog, bool overwrite,
                          const RawlogWriter::Options& options)
-    : stem_(stemOf(rawlog)), writer_(options)
+    : stem_(stemOf(rawlog)), rawlogFile_(this->rawlog()), writer_(options)
 {
   for (const auto& file : {this->rawlog(), tum(), groundTruth(), picture()})
     requireReplaceable(file, overwrite);
-  requireWritten(writer_.open(this->rawlog()), this->rawlog());
+  requireCreated(writer_.open(rawlogFile_.beside()), this->rawlog());
 }
 
 void OutputFiles::write(const Recording& recording, double rangeSigma_m)
@@ -43,13 +43,15 @@ void OutputFiles::write(const Recording& recording, double rangeSigma_m)
     scan.rangeSigma_m = rangeSigma_m;
     writer_.write(scan, recorded.T_start_odometry);
   }
+  outputs_.note(this->rawlog(), writer_.close() && rawlogFile_.moveIntoPlace());
   const Trajectory truth = truthOf(recording);
-  writeTextFile(tum(), [&](auto& out) { writeTum(out, truth); });
-  writeTextFile(groundTruth(), [&](auto& out) { writeMrptGroundTruth(out, truth); });
+  outputs_.addText(tum(), [&](std::ostream& out) { writeTum(out, truth); });
+  outputs_.addText(groundTruth(), [&](std::ostream& out) { writeMrptGroundTruth(out, truth); });
 }
 
-void OutputFiles::write(const WorldPicture& worldPicture) const
+void OutputFiles::write(const WorldPicture& worldPicture)
 {
-  requireWritten(saveWorldPicture(worldPicture, picture()), picture());
+  outputs_.add(picture(),
+               [&](const std::string& beside) { return saveWorldPicture(worldPicture, beside); });
 }
 }  // namespace psmks

@@ -4,6 +4,7 @@
 #include <apps/psmks-simulate/Simulate.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/Progress.h>
+#include <apps/support/StopSignal.h>
 #include <psmks/base/Stopwatch.h>
 #include <psmks/sim/AreaCenterDriver.h>
 #include <psmks/sim/WaypointDriver.h>
@@ -68,6 +69,25 @@ double castingTime_s(const Surroundings& surroundings, const Recording& recordin
   return watch.lap_s() / scans;
 }
 
+/** Ends a drive where a signal asks the program to stop, after one scan at the earliest. */
+class StoppedDriver : public Driver
+{
+ public:
+  explicit StoppedDriver(Driver& driver) : driver_(driver) {}
+
+  WheelSpeeds drive(const DriverView& view) override
+  {
+    hasDriven_ = true;
+    return driver_.drive(view);
+  }
+
+  bool isDone() const override { return driver_.isDone() || (hasDriven_ && isToStop()); }
+
+ private:
+  Driver& driver_;
+  bool hasDriven_ = false;
+};
+
 WorldPicture pictureOf(const CommandLine& c, const Place& place, const Recording& recording)
 {
   const std::string name = std::filesystem::path(c.world).filename().string();
@@ -106,7 +126,8 @@ void simulateDrive(const CommandLine& commandLine)
   const Recording recording = [&]
   {
     Progress progress("psmks-simulate");
-    return simulate(*place.surroundings, place.T_world_start, *driver, options,
+    StoppedDriver stopped(*driver);
+    return simulate(*place.surroundings, place.T_world_start, stopped, options,
                     [&](double share) { progress.show(share); });
   }();
   files.write(recording, options.laser.rangeSigma_m);
@@ -115,5 +136,6 @@ void simulateDrive(const CommandLine& commandLine)
                castingTime_s(*place.surroundings, recording, options.laser));
   std::cout << "rawlog           " << files.rawlog() << "\nground truth     " << files.tum() << ", "
             << files.groundTruth() << "\npicture          " << files.picture() << '\n';
+  files.requireComplete();
 }
 }  // namespace psmks

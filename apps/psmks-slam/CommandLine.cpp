@@ -17,7 +17,8 @@ constexpr const char* kFooter =
     "Writes trajectory.tum, odometry.tum, matches.csv, segments.csv, map.png, map.3Dscene,\n"
     "map.simplemap and summary.json.\n\n"
     "Exit codes: 0 ok; 1 usage or configuration; 2 input missing or damaged (what was read before\n"
-    "the damage is saved); 3 no usable scan or odometry; 4 every match failed.";
+    "the damage is saved); 3 no usable scan or odometry; 4 every match failed; 5 an output cannot\n"
+    "be written (the others are); 128 + N stopped by signal N (what was done before it is saved).";
 
 /** The names of the registered matchers. The one that keeps its guess is called "odometry" here,
  * for it drives by odometry alone. */

@@ -5,6 +5,9 @@
 #include <apps/support/LogScan.h>
 #include <apps/support/Overwriting.h>
 #include <apps/support/Progress.h>
+#include <apps/support/StopSignal.h>
+#include <apps/support/TextFile.h>
+#include <apps/support/UnitHints.h>
 #include <psmks/segmentation/Preprocessing.h>
 
 #include <algorithm>
@@ -68,31 +71,35 @@ Slam::Slam(const CommandLine& commandLine, const SlamOptions& options)
       builder_(makeMatcher(commandLine, options), options.reference, options.odometry)
 {
   if (commandLine.rawlog.empty()) return;
+  rawlogFile_.emplace(commandLine.rawlog);
   rawlog_.emplace();
-  if (!rawlog_->open(commandLine.rawlog))
-    throw ProgramError(kUsage, "cannot write '" + commandLine.rawlog + "'");
+  requireCreated(rawlog_->open(rawlogFile_->beside()), commandLine.rawlog);
 }
 
 ExitCode Slam::run()
 {
   buildTrajectory();
   reportLog();
+  if (isToStop() && builder_.scans().empty()) return kOk;  // nothing was done
   requireScans();
 
   const RunSummary summary = writeResults();
   printSummary(std::cout, summary);
   std::cout << "map              " << output_.file("map.png") << '\n';
-  if (commandLine_.view) showMap(makeScanMap(builder_.scans(), options_.matching.matcher));
+  if (commandLine_.view && !isToStop())
+    showMap(makeScanMap(builder_.scans(), options_.matching.matcher));
   return exitCodeOfRun(summary);
 }
 
 RunSummary Slam::writeResults()
 {
-  RunSummary summary{trajectorySummary(), std::nullopt, reader_->remarks(), {}};
+  RunSummary summary{trajectorySummary(), std::nullopt, remarks(), {}};
   if (!relations_.empty())
     summary.relations = relationStatistics(trajectoryOf(builder_.scans()), relations_);
   const ScanMap map = makeScanMap(builder_.scans(), options_.matching.matcher);
   output_.write(builder_.scans(), map, simpleMap(), commandLine_.matcher);
+  if (rawlog_)
+    output_.outputs().note(commandLine_.rawlog, rawlog_->close() && rawlogFile_->moveIntoPlace());
   times_.output_s += watch_.lap_s();
   summary.times = times_;
   output_.writeSummary(summary, options_);
@@ -104,7 +111,9 @@ void Slam::buildTrajectory()
   Progress progress("psmks-slam");
   LaserFrame frame;
   const auto limit = static_cast<std::size_t>(commandLine_.maxScans);
-  while ((limit == 0 || builder_.scans().size() < limit) && reader_->next(frame))
+  const auto isMoreWanted = [&]
+  { return !isToStop() && (limit == 0 || builder_.scans().size() < limit); };
+  while (isMoreWanted() && reader_->next(frame))
   {
     add(frame);
     progress.show(reader_->shareRead());
@@ -184,9 +193,17 @@ void Slam::requireScans() const
     throw ProgramError(kNothingToDo, "'" + commandLine_.log + "' holds no odometry");
 }
 
+/** Those of the reader, and what looks wrong in what was read. */
+std::vector<std::string> Slam::remarks() const
+{
+  std::vector<std::string> remarks = reader_->remarks();
+  for (const std::string& hint : unitHints(builder_.scans())) remarks.push_back(hint);
+  return remarks;
+}
+
 void Slam::reportLog() const
 {
-  for (const auto& remark : reader_->remarks())
+  for (const auto& remark : remarks())
     std::cerr << "psmks-slam: '" << commandLine_.log << "': " << remark << '\n';
   if (commandLine_.logFlags.sensor() || reader_->scansOfSensors().size() < 2) return;
   std::cerr << "psmks-slam: used the scanner '" << *reader_->sensorLabel() << "' of "
@@ -214,9 +231,14 @@ Summary Slam::trajectorySummary() const
   return result;
 }
 
-ExitCode Slam::exitCodeOfRun(const RunSummary& run) const
+ExitCode Slam::exitCodeOfRun(const RunSummary& run)
 {
   const Summary& result = run.trajectory;
+  if (!output_.outputs().isComplete())
+  {
+    std::cerr << "psmks-slam: " << output_.outputs().complaint() << '\n';
+    return kOutputFailed;
+  }
   if (!reader_->damage().empty())
   {
     std::cerr << "psmks-slam: '" << commandLine_.log << "': " << reader_->damage() << '\n';

@@ -5,6 +5,7 @@
 #include <apps/psmks-slam/OutputFolder.h>
 #include <apps/support/ExitCode.h>
 #include <apps/support/LogScan.h>
+#include <apps/support/ReplacedFile.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <psmks/base/Stopwatch.h>
 #include <psmks/draw/MapFiles.h>
@@ -26,8 +27,9 @@ class Slam
    *      truth cannot be accepted */
   Slam(const CommandLine& commandLine, const SlamOptions& options);
 
-  /** Does the work. If something was wrong, one sentence on stderr says so.
-   *  @throws ProgramError if nothing could be done or a file cannot be written */
+  /** Does the work, to its end or until a signal asks to stop, and writes what was done. If
+   * something was wrong, one sentence on stderr says so.
+   *  @throws ProgramError if nothing could be done */
   ExitCode run();
 
  private:
@@ -35,13 +37,14 @@ class Slam
   void add(const LaserFrame& frame);
   void keepKeyframes(const LaserFrame& frame);
   mrpt::maps::CSimpleMap simpleMap() const;
+  std::vector<std::string> remarks() const;
   void reportLog() const;
   LogSummary logSummary() const;
   Summary trajectorySummary() const;
   RunSummary writeResults();
   void divideBuildingTime();
   void requireScans() const;
-  ExitCode exitCodeOfRun(const RunSummary& summary) const;
+  ExitCode exitCodeOfRun(const RunSummary& summary);
 
   CommandLine commandLine_;
   SlamOptions options_;
@@ -54,6 +57,7 @@ class Slam
   ScanConverter converter_;
   std::vector<std::pair<std::size_t, LaserFrame>> keyframes_;  //!< with the index of their scans
   std::optional<LaserFrame> lastFrame_;  //!< the last frame, if it is not a key frame yet
+  std::optional<ReplacedFile> rawlogFile_;
   std::optional<MatchedRawlog> rawlog_;
   int scansWithoutOdometry_ = 0;
   RunTimes times_;

@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/SummaryOutput.h>
+#include <apps/support/StopSignal.h>
 #include <mrpt/system/os.h>
 #include <psmks/geometry/Angle.h>
 
@@ -99,6 +100,7 @@ void printErrors(std::ostream& out, const TrajectoryError& e)
 {
   out << "position error   mean " << e.mean_m << " m, rms " << e.rms_m << " m, max " << e.max_m
       << " m at " << e.poses << " poses\n";
+  if (std::isnan(e.mean_rad)) return;
   out << "heading error    mean " << radToDeg(e.mean_rad) << " deg, rms " << radToDeg(e.rms_rad)
       << " deg, max " << radToDeg(e.max_rad) << " deg\n";
 }
@@ -157,6 +159,7 @@ void writeSummaryJson(std::ostream& out, const RunSummary& run, SlamOptions& opt
   const Summary& s = run.trajectory;
   Json json{{"log", logJson(s.log)},
             {"remarks", run.remarks},
+            {"stopped_by_signal", stopSignal()},
             {"matcher", s.matcher},
             {"scans", s.scans},
             {"scans_by_odometry_alone", s.unmatched},

@@ -42,7 +42,7 @@ std::optional<int> exitCodeOfParsing(const ProgramText& text, int argc, char** a
                                      const std::function<void()>& check);
 
 /** The body of main(): parses the command line and runs the program with it.
- *  @param run takes a CommandLine and returns an ExitCode; for exceptions see exitCodeOf()
+ *  @param run takes a CommandLine and returns an ExitCode; see runToEnd()
  *  @return the program's exit code */
 template <class CommandLine, class Run>
 int runProgram(const CommandLineSyntax<CommandLine>& syntax, int argc, char** argv, Run run)
@@ -52,6 +52,6 @@ int runProgram(const CommandLineSyntax<CommandLine>& syntax, int argc, char** ar
   const auto check = [&] { syntax.check(commandLine); };
   if (const auto exitCode = exitCodeOfParsing(syntax.text, argc, argv, addFlags, check))
     return *exitCode;
-  return exitCodeOf(syntax.text.name, [&] { return run(commandLine); });
+  return runToEnd(syntax.text.name, [&] { return run(commandLine); });
 }
 }  // namespace psmks

@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/ExitCode.h>
+#include <apps/support/StopSignal.h>
 
 #include <iostream>
 
@@ -28,5 +29,19 @@ ExitCode exitCodeOf(const std::string& program, const std::function<ExitCode()>&
   {
     return complain(program, kUsage, error);
   }
+}
+
+int runToEnd(const std::string& program, const std::function<ExitCode()>& work)
+{
+  catchStopSignals();
+  const ExitCode exitCode = exitCodeOf(program, work);
+  std::cout.flush();
+  if (!std::cout) std::cerr << program << ": cannot write to the standard output\n";
+  if (isToStop())
+  {
+    std::cerr << program << ": stopped by " << nameOfSignal(stopSignal()) << '\n';
+    return kStoppedBySignal + stopSignal();
+  }
+  return std::cout || exitCode != kOk ? exitCode : kOutputFailed;
 }
 }  // namespace psmks

@@ -1,4 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <apps/support/Outputs.h>
+#include <apps/support/ReplacedFile.h>
 #include <apps/support/TableFiles.h>
 
 #include <CLI/CLI.hpp>
@@ -39,13 +41,18 @@ Json toJson(const std::vector<Table>& tables, const TableOrigin* origin)
   for (const auto& table : tables) document["tables"].push_back(toJson(table));
   return document;
 }
+
+void writeMarkdown(std::ostream& out, const std::vector<Table>& tables, const TableOrigin* origin)
+{
+  for (const auto& table : tables)
+    out << "### " << table.title << "\n\n" << toMarkdown(table) << '\n';
+  if (origin) out << origin->line << '\n';
+}
 }  // namespace
 
-std::ofstream createFile(const std::string& flag, const std::string& path)
+void requireCreatable(const std::string& flag, const std::string& path)
 {
-  std::ofstream file(path, std::ios::binary);
-  if (!file) throw CLI::ValidationError(flag, "'" + path + "' cannot be created");
-  return file;
+  if (!isCreatable(path)) throw CLI::ValidationError(flag, "'" + path + "' cannot be created");
 }
 
 void TableFiles::addFlags(CLI::App& command)
@@ -56,20 +63,24 @@ void TableFiles::addFlags(CLI::App& command)
       ->type_name("FILE");
 }
 
-void TableFiles::open()
+void TableFiles::check() const
 {
-  if (!csvPath_.empty()) csv_ = createFile("--csv", csvPath_);
-  if (!jsonPath_.empty()) json_ = createFile("--json", jsonPath_);
-  if (!markdownPath_.empty()) markdown_ = createFile("--markdown", markdownPath_);
+  if (!csvPath_.empty()) requireCreatable("--csv", csvPath_);
+  if (!jsonPath_.empty()) requireCreatable("--json", jsonPath_);
+  if (!markdownPath_.empty()) requireCreatable("--markdown", markdownPath_);
 }
 
-void TableFiles::save(const std::vector<Table>& tables, const TableOrigin* origin)
+void TableFiles::save(const std::vector<Table>& tables, const TableOrigin* origin) const
 {
-  if (csv_.is_open()) csv_ << toCsv(tables);
-  if (json_.is_open()) json_ << toJson(tables, origin).dump(2) << '\n';
-  if (!markdown_.is_open()) return;
-  for (const auto& table : tables)
-    markdown_ << "### " << table.title << "\n\n" << toMarkdown(table) << '\n';
-  if (origin) markdown_ << origin->line << '\n';
+  Outputs outputs;
+  if (!csvPath_.empty())
+    outputs.addText(csvPath_, [&](std::ostream& csv) { csv << toCsv(tables); });
+  if (!jsonPath_.empty())
+    outputs.addText(jsonPath_,
+                    [&](std::ostream& json) { json << toJson(tables, origin).dump(2) << '\n'; });
+  if (!markdownPath_.empty())
+    outputs.addText(markdownPath_,
+                    [&](std::ostream& markdown) { writeMarkdown(markdown, tables, origin); });
+  outputs.requireComplete();
 }
 }  // namespace psmks

@@ -3,7 +3,6 @@
 
 #include <psmks/eval/Table.h>
 
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,10 +14,10 @@ class App;
 
 namespace psmks
 {
-/** Creates a file for writing.
+/** Checks that a file can be created, so that a mistyped path is reported before the work is done.
  *  @param flag that named the file
  *  @throws CLI::ValidationError naming the flag if the file cannot be created */
-std::ofstream createFile(const std::string& flag, const std::string& path);
+void requireCreatable(const std::string& flag, const std::string& path);
 
 /** What the numbers of tables depend on besides the input, such as the machine. */
 struct TableOrigin
@@ -35,17 +34,17 @@ class TableFiles
   /** Adds --csv, --json and --markdown. */
   void addFlags(CLI::App& command);
 
-  /** Creates the files now, so that a mistyped path is reported before the work is done.
-   *  @throws CLI::ValidationError naming the flag of a file that cannot be created */
-  void open();
+  /** Checks the paths of the files; see requireCreatable(). */
+  void check() const;
 
   /** Writes tables to all files.
    *  @param tables all with the same columns
-   *  @param origin null if the numbers depend on the input alone */
-  void save(const std::vector<Table>& tables, const TableOrigin* origin = nullptr);
+   *  @param origin null if the numbers depend on the input alone
+   *  @throws ProgramError (kOutputFailed) naming those that cannot be written, after the others
+   * were */
+  void save(const std::vector<Table>& tables, const TableOrigin* origin = nullptr) const;
 
  private:
   std::string csvPath_, jsonPath_, markdownPath_;
-  std::ofstream csv_, json_, markdown_;
 };
 }  // namespace psmks

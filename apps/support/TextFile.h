@@ -2,27 +2,33 @@
 #pragma once
 
 #include <apps/support/ExitCode.h>
+#include <apps/support/Outputs.h>
 
 #include <fstream>
 #include <string>
 
 namespace psmks
 {
-/** @throws ProgramError naming a file that could not be written */
-inline void requireWritten(bool written, const std::string& path)
+/** @throws ProgramError (kUsage) naming a file that cannot be created: its path is wrong */
+inline void requireCreated(bool created, const std::string& path)
 {
-  if (!written) throw ProgramError(kUsage, "cannot write '" + path + "'");
+  if (!created) throw ProgramError(kUsage, "cannot write '" + path + "'");
 }
 
-/** Writes a text file.
+/** @throws ProgramError (kOutputFailed) naming a file that could not be written */
+inline void requireWritten(bool written, const std::string& path)
+{
+  if (!written) throw ProgramError(kOutputFailed, "cannot write '" + path + "'");
+}
+
+/** Writes a text file beside its place, see Outputs.
  *  @param write called with the open stream
- *  @throws ProgramError naming a file that cannot be written */
+ *  @throws ProgramError (kOutputFailed) naming a file that cannot be written */
 template <class Write>
 void writeTextFile(const std::string& path, Write write)
 {
-  std::ofstream file(path);
-  write(file);
-  file.close();
-  requireWritten(!file.fail(), path);
+  Outputs outputs;
+  outputs.addText(path, [&write](std::ostream& out) { write(out); });
+  outputs.requireComplete();
 }
 }  // namespace psmks

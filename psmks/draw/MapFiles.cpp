@@ -22,6 +22,14 @@ void addKeyframe(const PosedScan& scan, const LaserFrame& frame, mrpt::maps::CSi
   map.insert(pose, std::make_shared<mrpt::obs::CSensoryFrame>(frame.observations));
 }
 
+bool saveObject(const mrpt::serialization::CSerializable& object, const std::string& path)
+{
+  GzipOutput file;
+  if (!file.open(path, GzipUse::Always)) return false;
+  mrpt::serialization::archiveFrom(file) << object;
+  return file.close();
+}
+
 void MatchedRawlog::write(const PosedScan& scan, const LaserFrame& frame)
 {
   CActionRobotMovement2D motion;

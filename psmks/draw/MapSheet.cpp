@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 
 namespace psmks
 {
@@ -26,8 +29,10 @@ double pixelSize_m(double longerSide_m)
 MapSheet::MapSheet(const Frame& frame) : frame_(frame)
 {
   const Eigen::Vector2d size_m = frame.max_m - frame.min_m;
+  if (!size_m.allFinite() || !(size_m.maxCoeff() > 0))
+    throw std::invalid_argument("a map without extent, or of infinite extent, cannot be drawn");
   pixel_m_ = pixelSize_m(size_m.maxCoeff());
-  const Eigen::Vector2i size_px = (size_m / pixel_m_).array().ceil().cast<int>();
+  const Eigen::Vector2i size_px = (size_m / pixel_m_).array().ceil().max(1).cast<int>();
   image_ = cv::Mat(size_px.y(), size_px.x(), CV_8UC3, ink::kPaper);
   hairline_px_ = std::max(1.0, size_px.maxCoeff() / kHairlinesPerSheet);
 }
@@ -89,7 +94,17 @@ cv::Point MapSheet::pixel(const Eigen::Vector2d& p_m, int parts) const
           static_cast<int>(std::lround((frame_.max_m.y() - p_m.y()) * scale))};
 }
 
-bool MapSheet::save(const std::string& path) const { return cv::imwrite(path, image_); }
+bool MapSheet::save(const std::string& path) const
+{
+  const std::string ending = std::filesystem::path(path).extension().string();
+  std::vector<unsigned char> bytes;
+  if (ending.empty() || !cv::imencode(ending, image_, bytes)) return false;
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  return !file.fail();
+}
 
 std::vector<Eigen::Vector2d> placesOf(const std::vector<Pose2>& path)
 {

@@ -4,6 +4,7 @@
 #include <psmks/eval/GnuplotCommands.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace psmks
 {
@@ -57,10 +58,14 @@ std::string drawing(const Figure& figure)
 
 bool save(const Figure& figure, const std::string& path, std::string* reason)
 {
-  const std::string failure =
-      runGnuplot(terminal(endsIn(path, ".svg") ? "svg" : "pngcairo", figure) + "set output " +
-                 gnuplotString(path) + '\n' + drawing(figure))
-          .failure;
+  const GnuplotRun run =
+      runGnuplot(terminal(endsIn(path, ".svg") ? "svg" : "pngcairo", figure) + drawing(figure));
+  std::string failure = run.failure;
+  std::ofstream file;
+  if (failure.empty()) file.open(path, std::ios::binary);
+  file << run.output;
+  file.close();
+  if (failure.empty() && file.fail()) failure = "cannot be written";
   if (reason) *reason = failure.empty() ? "" : path + ": " + failure;
   return failure.empty();
 }

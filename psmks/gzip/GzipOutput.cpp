@@ -2,7 +2,9 @@
 #include <psmks/gzip/GzipOutput.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
 namespace psmks
 {
@@ -11,20 +13,45 @@ namespace
 gzFile gz(void* file) { return static_cast<gzFile>(file); }
 }  // namespace
 
-bool GzipOutput::open(const std::string& path)
+bool GzipOutput::open(const std::string& path, GzipUse use)
 {
-  const bool zipped = std::filesystem::path(path).extension() == ".gz";
-  file_.reset(gzopen(path.c_str(), zipped ? "wb" : "wbT"));
+  const bool zipped = use == GzipUse::Always || std::filesystem::path(path).extension() == ".gz";
+  path_ = path;
+  failed_ = false;
+  // MRPT gzips its files at the fastest level.
+  const char* mode = use == GzipUse::Always ? "wb1" : zipped ? "wb" : "wbT";
+  file_.reset(gzopen(path.c_str(), mode));
   return file_ != nullptr;
 }
 
 bool GzipOutput::write(std::string_view text)
 {
-  const auto bytes = static_cast<unsigned>(text.size());
-  return gzwrite(gz(file_.get()), text.data(), bytes) == static_cast<int>(bytes);
+  constexpr std::size_t kMostAtOnce = 1U << 30;  // zlib counts bytes as int
+  while (!text.empty() && !failed_)
+  {
+    const auto bytes = static_cast<unsigned>(std::min(text.size(), kMostAtOnce));
+    failed_ = gzwrite(gz(file_.get()), text.data(), bytes) != static_cast<int>(bytes);
+    text.remove_prefix(bytes);
+  }
+  return !failed_;
 }
 
-bool GzipOutput::close() { return gzclose(gz(file_.release())) == Z_OK; }
+bool GzipOutput::close()
+{
+  if (gzclose(gz(file_.release())) != Z_OK) failed_ = true;
+  return !failed_;
+}
+
+std::size_t GzipOutput::Write(const void* buffer, std::size_t bytes)
+{
+  write({static_cast<const char*>(buffer), bytes});
+  return bytes;
+}
+
+std::size_t GzipOutput::Read(void*, std::size_t)
+{
+  throw std::logic_error("GzipOutput: " + path_ + " is open for writing");
+}
 
 void GzipOutput::Close::operator()(void* file) const { gzclose(gz(file)); }
 }  // namespace psmks

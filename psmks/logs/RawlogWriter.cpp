@@ -62,7 +62,7 @@ CObservation2DRangeScan::Ptr toMrpt(const Scan& scan, const Pose2& T_robot_senso
   return observation;
 }
 
-void RawlogWriter::write(const Scan& scan, const Pose2& T_start_odometry)
+bool RawlogWriter::write(const Scan& scan, const Pose2& T_start_odometry)
 {
   LaserFrame frame;
   frame.scan = toMrpt(scan, options_.T_robot_sensor);
@@ -70,10 +70,10 @@ void RawlogWriter::write(const Scan& scan, const Pose2& T_start_odometry)
   frame.odometry = T_start_odometry_.value_or(T_start_odometry).inverse() * T_start_odometry;
   frame.observations.insert(frame.scan);
   if (!T_start_odometry_) T_start_odometry_ = T_start_odometry;
-  write(frame);
+  return write(frame);
 }
 
-void RawlogWriter::write(const LaserFrame& frame)
+bool RawlogWriter::write(const LaserFrame& frame)
 {
   if (frame.scan->timestamp == INVALID_TIMESTAMP)
     frame.scan->timestamp = mrpt::Clock::fromDouble(frame.stamp_s);
@@ -84,6 +84,7 @@ void RawlogWriter::write(const LaserFrame& frame)
     writeActions(placed);
   else
     writeObservations(placed);
+  return file_.isGood();
 }
 
 void RawlogWriter::writeActions(const LaserFrame& frame)

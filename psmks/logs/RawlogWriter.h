@@ -2,9 +2,9 @@
 #pragma once
 
 #include <mrpt/core/Clock.h>
-#include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <psmks/geometry/Scan.h>
+#include <psmks/gzip/GzipOutput.h>
 #include <psmks/logs/LogReader.h>
 #include <psmks/motion/OdometryNoise.h>
 
@@ -45,18 +45,22 @@ class RawlogWriter
 
   /** Creates the file.
    *  @return false if it cannot be created */
-  bool open(const std::string& path) { return file_.open(path); }
+  bool open(const std::string& path) { return file_.open(path, GzipUse::Always); }
+
+  /** Closes the file.
+   *  @return false if any byte could not be written */
+  bool close() { return file_.close(); }
 
   /** Appends a scan and the pose of the robot by odometry at its time. Scans have to come in the
    * order of their stamps.
-   *  @throws std::exception if the file cannot be written */
-  void write(const Scan& scan, const Pose2& T_start_odometry);
+   *  @return false if the file cannot be written */
+  bool write(const Scan& scan, const Pose2& T_start_odometry);
 
   /** Appends a frame of another log with all its observations. A scan without a stamp gets that of
    * the frame. If the frame has no odometry, none is written for it, except that the first frame is
    * at the start.
-   *  @throws std::exception if the file cannot be written */
-  void write(const LaserFrame& frame);
+   *  @return false if the file cannot be written */
+  bool write(const LaserFrame& frame);
 
   /** The stamp as it is read back from the log: MRPT counts time in units of 100 ns. */
   static double loggedStamp_s(double stamp_s)
@@ -69,7 +73,7 @@ class RawlogWriter
   void writeObservations(const LaserFrame& frame);
 
   Options options_;
-  mrpt::io::CFileGZOutputStream file_;
+  GzipOutput file_;
   std::optional<Pose2> T_start_odometry_;  //!< odometry at the last frame; empty before the first
 };
 }  // namespace psmks

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/Guesses.h>
 #include <apps/psmks-benchmark/convergence/Convergence.h>
+#include <apps/support/StopSignal.h>
 #include <psmks/eval/PairError.h>
 #include <psmks/matchers/PairMatcher.h>
 
@@ -47,6 +48,7 @@ std::vector<ConvergenceMap> measureConvergence(const std::vector<ScanPair>& pair
   const double share = 1 / static_cast<double>(pairs.size());
   for (const ScanPair& pair : pairs)
   {
+    if (isToStop()) return {};
     progress(share * static_cast<double>(&pair - pairs.data()));
     for (Eigen::Index r = 0; r < rows; ++r)
       for (Eigen::Index c = 0; c < columns; ++c)

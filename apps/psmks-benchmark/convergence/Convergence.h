@@ -51,7 +51,7 @@ struct ConvergenceMap
  *
  * @param pairs at least one
  * @param progress called with the share of the work that is done, 0 to 1
- * @return a map for each matcher
+ * @return a map for each matcher; none where a signal asks the program to stop
  * @throws OptionError for a matcher that does not exist or options that it does not accept */
 std::vector<ConvergenceMap> measureConvergence(const std::vector<ScanPair>& pairs,
                                                const ConvergenceOptions& options,

@@ -5,6 +5,8 @@
 #include <apps/psmks-benchmark/report/CommandLine.h>
 #include <apps/psmks-benchmark/report/HtmlPage.h>
 #include <apps/support/Progress.h>
+#include <apps/support/StopSignal.h>
+#include <apps/support/TextFile.h>
 
 namespace psmks
 {
@@ -41,11 +43,12 @@ ExitCode ConvergenceCommand::run()
   options_.matcherOptions = optionFlags_.options().matching.matcher;
   checkMatchers(options_.matchers, options_.matcherOptions);
   options_.grid = ConvergenceGrid::even(maxDistance_m_, degToRad(maxRotation_deg_), steps_);
-  output_.open();
-  if (!htmlPath_.empty()) html_ = createFile("--html", htmlPath_);
+  output_.check();
+  if (!htmlPath_.empty()) requireCreatable("--html", htmlPath_);
   if (!folder_.empty()) pictures_.emplace(folder_, "");
 
-  for (const auto& set : sets_) measure(inputPairs(set, {options_.seed, pairs_, pairs_}));
+  for (const auto& set : sets_)
+    if (!isToStop()) measure(inputPairs(set, {options_.seed, pairs_, pairs_}));
   if (!results_.empty()) write();
   if (damaged_) return kInputDamaged;
   return results_.empty() ? kNothingToDo : kOk;
@@ -57,7 +60,8 @@ void ConvergenceCommand::measure(const PairsInput& input)
   if (input.pairs.empty()) return;
   Progress progress(input.title);
   const auto show = [&progress](double share) { progress.show(share); };
-  results_.push_back({input.title, measureConvergence(input.pairs, options_, show)});
+  auto maps = measureConvergence(input.pairs, options_, show);
+  if (!isToStop()) results_.push_back({input.title, std::move(maps)});
 }
 
 void ConvergenceCommand::write()
@@ -67,7 +71,8 @@ void ConvergenceCommand::write()
     tables.push_back(convergenceTable(result.title, options_.grid, result.maps));
   output_.write(tables);
   if (pictures_) savePictures();
-  if (html_.is_open()) html_ << page(tables);
+  if (!htmlPath_.empty())
+    writeTextFile(htmlPath_, [&](std::ostream& html) { html << page(tables); });
 }
 
 /** Saves a picture for each matcher, with all sets side by side. */

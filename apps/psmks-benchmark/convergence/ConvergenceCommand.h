@@ -49,7 +49,6 @@ class ConvergenceCommand
   TableOutput output_;
 
   std::vector<SetResult> results_;
-  std::ofstream html_;
   std::optional<Pictures> pictures_;
   bool damaged_ = false;
 };

@@ -6,6 +6,8 @@
 #include <apps/psmks-benchmark/experiments/Report.h>
 #include <apps/psmks-benchmark/experiments/ResultTables.h>
 #include <apps/support/Progress.h>
+#include <apps/support/StopSignal.h>
+#include <apps/support/TextFile.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -81,7 +83,7 @@ ExitCode ExperimentsCommand::run()
   setOptions();
   for (const auto& method : experimentMethods())
     if (contains(methodKeys_, method.key)) methods_.push_back(method);
-  output_.open();
+  output_.check();
   if (!folder_.empty()) pictures_.emplace(folder_, kPictureFolder);
 
   const auto drives = plans();
@@ -90,6 +92,7 @@ ExitCode ExperimentsCommand::run()
     Progress progress("experiments");
     for (const auto& plan : drives)
     {
+      if (isToStop()) break;
       progress.show(static_cast<double>(results.size()) / static_cast<double>(drives.size()));
       results.push_back(measure(plan));
     }
@@ -163,8 +166,8 @@ void ExperimentsCommand::save(const std::vector<DriveResult>& results)
                  "associations: the paper's Fig. 1 (c) and (d)",
                  orientationExperiment(firstSeed_).figure);
   const auto path = std::filesystem::path(folder_) / "experiments.md";
-  std::ofstream out = createFile("--output", path.string());
-  writeReport(out, results, pictures_->saved(), Machine::present().line());
+  writeTextFile(path.string(), [&](std::ostream& out)
+                { writeReport(out, results, pictures_->saved(), Machine::present().line()); });
   std::cout << "\nWrote " << path.string() << '\n';
 }
 }  // namespace psmks

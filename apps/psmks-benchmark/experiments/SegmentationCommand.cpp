@@ -67,7 +67,7 @@ SegmentationCommand::SegmentationCommand(CLI::App& app)
 
 ExitCode SegmentationCommand::run()
 {
-  output_.open();
+  output_.check();
   Table table;
   table.title = "segmentation";
   table.columns = kColumns;

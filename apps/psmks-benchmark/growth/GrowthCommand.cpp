@@ -52,7 +52,7 @@ GrowthCommand::GrowthCommand(CLI::App& app)
 ExitCode GrowthCommand::run()
 {
   checkMatchers(options_.matchers, options_.matcherOptions);
-  output_.open();
+  output_.check();
   std::vector<GrowthRun> runs;
   {
     Progress progress("growth");

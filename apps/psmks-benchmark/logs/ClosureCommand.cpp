@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/logs/ClosureCommand.h>
 #include <apps/support/Progress.h>
+#include <apps/support/StopSignal.h>
 #include <psmks/eval/Closure.h>
 #include <psmks/eval/Statistics.h>
 
@@ -77,10 +78,10 @@ ClosureCommand::ClosureCommand(CLI::App& app)
 ExitCode ClosureCommand::run()
 {
   const SlamOptions options = optionFlags_.options();
-  output_.open();
+  output_.check();
   std::vector<Table> tables;
   for (const Log& log : input_.read(options.matching))
-    tables.push_back(closures(log, options.matching.matcher));
+    if (!isToStop()) tables.push_back(closures(log, options.matching.matcher));
   if (!tables.empty()) output_.write(tables);
   if (input_.isDamaged()) return kInputDamaged;
   return tables.empty() ? kNothingToDo : kOk;

@@ -29,7 +29,7 @@ ExitCode LogPairsBenchmark::run(const MakePairs& makePairs)
   const SlamOptions options = optionFlags_.options();
   options_.matcherOptions = options.matching.matcher;
   checkMatchers(options_.matchers, options_.matcherOptions);
-  output_.open();
+  output_.check();
 
   for (const Log& log : input_.read(options.matching))
     for (const LogPairs& set : makePairs(log, options)) match(set);

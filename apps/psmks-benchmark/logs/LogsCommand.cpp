@@ -3,6 +3,8 @@
 #include <apps/psmks-benchmark/logs/LogsCommand.h>
 #include <apps/psmks-benchmark/report/CommandLine.h>
 #include <apps/support/Progress.h>
+#include <apps/support/StopSignal.h>
+#include <apps/support/TextFile.h>
 
 namespace psmks
 {
@@ -44,13 +46,14 @@ ExitCode LogsCommand::run()
   input_.check();
   options_ = optionFlags_.options();
   checkMatchers(matchers_, options_.matching.matcher);
-  output_.open();
-  if (!htmlPath_.empty()) html_ = createFile("--html", htmlPath_);
+  output_.check();
+  if (!htmlPath_.empty()) requireCreatable("--html", htmlPath_);
 
   std::vector<Table> tables;
   std::vector<LogRun> all;
   for (const auto& log : input_.read(options_.matching))
   {
+    if (isToStop()) break;
     const std::vector<LogRun> some = runs(log);
     tables.push_back(logTable(log.title, some));
     all.insert(all.end(), some.begin(), some.end());
@@ -72,8 +75,8 @@ std::vector<LogRun> LogsCommand::runs(const Log& log)
   for (int repeat = 0; repeat < repeats_; ++repeat)
     for (std::size_t m = 0; m < methods.size(); ++m)
     {
-      LogRun run =
-          runLog(log, methods[m].first, methods[m].second, options_, html_.is_open() ? drawn_ : 0);
+      LogRun run = runLog(log, methods[m].first, methods[m].second, options_,
+                          htmlPath_.empty() ? 0 : drawn_);
       if (run.time_s < runs[m].time_s) runs[m] = std::move(run);
       progress.show(++done / total);
     }
@@ -83,11 +86,14 @@ std::vector<LogRun> LogsCommand::runs(const Log& log)
 void LogsCommand::write(const std::vector<Table>& tables, const std::vector<LogRun>& runs)
 {
   output_.write(tables);
-  if (!html_.is_open()) return;
+  if (htmlPath_.empty()) return;
   std::vector<DrawnRun> drawn;
   for (const LogRun& run : runs)
     if (!run.worst.records.empty()) drawn.push_back(run.worst);
-  html_ << logsPage({Machine::present().line(), commandLine()}, tables, drawn);
+  writeTextFile(htmlPath_,
+                [&](std::ostream& page) {
+                  page << logsPage({Machine::present().line(), commandLine()}, tables, drawn);
+                });
 }
 
 /** The matcher that keeps its guess is run with one policy only, for its result is the same with

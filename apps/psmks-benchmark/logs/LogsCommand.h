@@ -43,7 +43,6 @@ class LogsCommand
   SlamOptions options_;
   TableOutput output_;
   std::string htmlPath_;
-  std::ofstream html_;
   std::size_t drawn_ = 10;
 };
 }  // namespace psmks

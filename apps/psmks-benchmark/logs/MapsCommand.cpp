@@ -78,7 +78,7 @@ MapsCommand::MapsCommand(CLI::App& app)
 ExitCode MapsCommand::run()
 {
   const SlamOptions options = optionFlags_.options();
-  output_.open();
+  output_.check();
   std::vector<Table> tables;
   for (const Log& log : input_.read(options.matching))
   {

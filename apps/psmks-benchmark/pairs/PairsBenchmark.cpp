@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/pairs/PairsBenchmark.h>
+#include <apps/support/StopSignal.h>
 #include <psmks/base/Stopwatch.h>
 #include <psmks/matchers/PairMatcher.h>
 
@@ -111,6 +112,7 @@ std::vector<PairsRun> runPairs(const std::vector<ScanPair>& pairs,
     for (auto& runs : runsOfGuess)
       for (std::size_t p = 0; p < pairs.size(); ++p)
       {
+        if (isToStop()) return {};
         runs.match(p);
         progress(++done / total);
       }

@@ -29,6 +29,8 @@ struct PairsBenchmarkOptions
  * match is measured from the raw scans to the result, and the smallest one of the repeats counts.
  * Before the first repeat each matcher matches one pair without measurement.
  *
+ * The result is empty where a signal asks the program to stop before all are matched.
+ *
  * @param progress called after each pair with the share of the work that is done, 0 to 1
  * @throws OptionError for a matcher that does not exist or options that it does not accept */
 std::vector<PairsRun> runPairs(const std::vector<ScanPair>& pairs,

@@ -2,6 +2,7 @@
 #include <apps/psmks-benchmark/convergence/ConvergenceFigures.h>
 #include <apps/psmks-benchmark/pairs/PairsCommand.h>
 #include <apps/support/Progress.h>
+#include <apps/support/StopSignal.h>
 #include <psmks/matchers/PairMatcher.h>
 
 #include <algorithm>
@@ -66,14 +67,15 @@ ExitCode PairsCommand::run()
   requireInput();
   options_.matcherOptions = optionFlags_.options().matching.matcher;
   checkMatchers(options_.matchers, options_.matcherOptions);
-  output_.open();
+  output_.check();
 
   std::vector<PairsInput> inputs;
   for (const auto& set : sets_) inputs.push_back(inputPairs(set, choice_));
   if (!saveFolder_.empty())
     for (const auto& set : inputs)
       if (!set.pairs.empty()) savePairs(saveFolder_, set);
-  for (const auto& set : inputs) match(set);
+  for (const auto& set : inputs)
+    if (!isToStop()) match(set);
   output_.write(tables());
 
   const auto isDamaged = [](const PairsInput& input) { return input.isDamaged; };
@@ -103,6 +105,7 @@ void PairsCommand::match(const PairsInput& input)
     result.runs = runPairs(input.pairs, guesses(input.pairs), options_,
                            [&](double share) { progress.show(share); });
   }
+  if (isToStop()) return;  // a part of a set would be compared with whole ones
   if (output_.hasPage() && convergencePairs_ > 0) result.convergence = convergence(input.pairs);
   output_.add(std::move(result));
 }

@@ -5,6 +5,7 @@
 #include <apps/psmks-benchmark/report/CommandLine.h>
 #include <apps/psmks-benchmark/report/PairsPage.h>
 #include <apps/support/ExitCode.h>
+#include <apps/support/Outputs.h>
 
 namespace psmks
 {
@@ -18,19 +19,18 @@ void PairsOutput::addFlags(CLI::App& command)
   tables_.addFlags(command);
 }
 
-void PairsOutput::open()
+void PairsOutput::check() const
 {
-  tables_.open();
-  if (!htmlPath_.empty()) html_ = createFile("--html", htmlPath_);
-  if (!dumpPath_.empty()) dump_ = createFile("--dump", dumpPath_);
-  if (dump_.is_open()) dump_ << dumpHeader();
+  tables_.check();
+  if (!htmlPath_.empty()) requireCreatable("--html", htmlPath_);
+  if (!dumpPath_.empty()) requireCreatable("--dump", dumpPath_);
 }
 
-void PairsOutput::add(PairsSetResult result)
+void PairsOutput::dump(std::ostream& csv) const
 {
-  if (dump_.is_open())
-    for (const PairsRun& run : result.runs) dump_ << dumpRows(run);
-  results_.push_back(std::move(result));
+  csv << dumpHeader();
+  for (const PairsSetResult& set : results_)
+    for (const PairsRun& run : set.runs) csv << dumpRows(run);
 }
 
 std::vector<Table> PairsOutput::tables() const
@@ -43,9 +43,16 @@ std::vector<Table> PairsOutput::tables() const
 void PairsOutput::write(const std::vector<Table>& tables)
 {
   if (tables.empty()) return;
+  Outputs outputs;
+  if (!dumpPath_.empty()) outputs.addText(dumpPath_, [this](std::ostream& csv) { dump(csv); });
+  if (hasPage())
+    outputs.addText(
+        htmlPath_,
+        [&](std::ostream& page) {
+          page << pairsPage({Machine::present().line(), commandLine()}, tables, results_);
+        });
   tables_.write(tables);
-  if (html_.is_open())
-    html_ << pairsPage({Machine::present().line(), commandLine()}, tables, results_);
+  outputs.requireComplete();
 }
 
 ExitCode PairsOutput::exitCode(bool damaged) const

@@ -19,21 +19,22 @@ class PairsOutput
  public:
   void addFlags(CLI::App& command);
 
-  /** Creates the files now, so that a mistyped path is reported before the work is done. */
-  void open();
+  /** Checks the paths of the files, so that a mistyped one is reported before the work is done. */
+  void check() const;
 
-  /** Writes the matches of a set to the CSV file, and keeps the set for write(). */
-  void add(PairsSetResult result);
+  /** Keeps the set for write(). */
+  void add(PairsSetResult result) { results_.push_back(std::move(result)); }
 
   const std::vector<PairsSetResult>& results() const { return results_; }
 
-  bool hasPage() const { return html_.is_open(); }
+  bool hasPage() const { return !htmlPath_.empty(); }
 
   /** The tables, one for each set. */
   std::vector<Table> tables() const;
 
-  /** Writes the tables and the page; nothing without tables.
-   *  @param tables those of tables(), and further ones with the same columns */
+  /** Writes the tables, the page and the matches of all sets; nothing without tables.
+   *  @param tables those of tables(), and further ones with the same columns
+   *  @throws ProgramError (kOutputFailed) naming files that cannot be written */
   void write(const std::vector<Table>& tables);
 
   /** The exit code of the program.
@@ -42,9 +43,9 @@ class PairsOutput
 
  private:
   bool everyMatchFailed() const;
+  void dump(std::ostream& csv) const;
 
   std::string dumpPath_, htmlPath_;
-  std::ofstream dump_, html_;
   TableOutput tables_;
   std::vector<PairsSetResult> results_;
 };
