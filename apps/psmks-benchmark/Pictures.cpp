@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/Pictures.h>
+#include <apps/support/ReplacedFile.h>
 
 #include <filesystem>
 #include <iostream>
@@ -16,7 +17,8 @@ void Pictures::add(const std::string& name, const std::string& caption, const Fi
 {
   const std::filesystem::path path = std::filesystem::path(folder_) / (name + ".png");
   std::string reason;
-  if (save(figure, (std::filesystem::path(reportFolder_) / path).string(), &reason))
+  const auto draw = [&](const std::string& beside) { return save(figure, beside, &reason); };
+  if (replaceFile((std::filesystem::path(reportFolder_) / path).string(), draw))
   {
     saved_.push_back({caption, path.string()});
     return;

@@ -4,6 +4,7 @@
 #include <apps/support/LogScan.h>
 #include <apps/support/Progress.h>
 #include <apps/support/StopSignal.h>
+#include <psmks/base/ShortText.h>
 #include <psmks/logs/OpenLog.h>
 
 #include <iostream>
@@ -38,7 +39,8 @@ void report(const std::string& input, const LogReader& reader)
     complain(input, std::to_string(reader.stampsMadeUp()) +
                         " scans without a stamp got one, 0.1 s after the scan before");
   if (reader.scansOfSensors().size() > 1)
-    complain(input, "took the scanner '" + *reader.sensorLabel() + "' of " + quotedSensors(reader));
+    complain(input, "took the scanner '" + shortText(*reader.sensorLabel()) + "' of " +
+                        quotedSensors(reader));
 }
 }  // namespace
 
@@ -60,7 +62,7 @@ ExitCode convertLog(const CommandLine& commandLine)
   report(commandLine.input, *reader);
   const std::string& made = commandLine.output.empty() ? commandLine.input : commandLine.output;
   const std::string content = sink->finish();
-  std::cout << made << ": " << content << " of '" << *reader->sensorLabel() << "'\n";
+  std::cout << made << ": " << content << " of '" << shortText(*reader->sensorLabel()) << "'\n";
   if (reader->damage().empty()) return kOk;
   complain(commandLine.input, reader->damage());
   return kInputDamaged;

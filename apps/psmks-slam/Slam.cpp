@@ -8,6 +8,7 @@
 #include <apps/support/StopSignal.h>
 #include <apps/support/TextFile.h>
 #include <apps/support/UnitHints.h>
+#include <psmks/base/ShortText.h>
 #include <psmks/segmentation/Preprocessing.h>
 
 #include <algorithm>
@@ -206,7 +207,7 @@ void Slam::reportLog() const
   for (const auto& remark : remarks())
     std::cerr << "psmks-slam: '" << commandLine_.log << "': " << remark << '\n';
   if (commandLine_.logFlags.sensor() || reader_->scansOfSensors().size() < 2) return;
-  std::cerr << "psmks-slam: used the scanner '" << *reader_->sensorLabel() << "' of "
+  std::cerr << "psmks-slam: used the scanner '" << shortText(*reader_->sensorLabel()) << "' of "
             << quotedSensors(*reader_) << ", --sensor chooses another\n";
 }
 

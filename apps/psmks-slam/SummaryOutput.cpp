@@ -182,6 +182,7 @@ void writeSummaryJson(std::ostream& out, const RunSummary& run, SlamOptions& opt
                                {"spanning_below_5s", relationsJson(run.relations->shortSpans)}};
   json["options"] = optionsJson(options);
   json["versions"] = {{"psmks", PSMKS_VERSION}, {"mrpt", mrpt::system::MRPT_getVersion()}};
-  out << json.dump(2) << '\n';
+  // A name in a damaged log need not be UTF-8.
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 }  // namespace psmks

@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/support/LogScan.h>
+#include <psmks/base/ShortText.h>
 #include <psmks/mrpt/MountedScan.h>
 
 #include <utility>
@@ -18,7 +19,8 @@ std::string quotedSensors(const LogReader& reader)
 {
   std::string text;
   for (const auto& [label, scans] : reader.scansOfSensors())
-    text += (text.empty() ? "'" : ", '") + label + "' (" + std::to_string(scans) + " scans)";
+    text +=
+        (text.empty() ? "'" : ", '") + shortText(label) + "' (" + std::to_string(scans) + " scans)";
   return text;
 }
 }  // namespace psmks

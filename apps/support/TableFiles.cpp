@@ -42,6 +42,12 @@ Json toJson(const std::vector<Table>& tables, const TableOrigin* origin)
   return document;
 }
 
+/** Names of files need not be UTF-8. */
+void writeJson(std::ostream& out, const std::vector<Table>& tables, const TableOrigin* origin)
+{
+  out << toJson(tables, origin).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
 void writeMarkdown(std::ostream& out, const std::vector<Table>& tables, const TableOrigin* origin)
 {
   for (const auto& table : tables)
@@ -76,8 +82,7 @@ void TableFiles::save(const std::vector<Table>& tables, const TableOrigin* origi
   if (!csvPath_.empty())
     outputs.addText(csvPath_, [&](std::ostream& csv) { csv << toCsv(tables); });
   if (!jsonPath_.empty())
-    outputs.addText(jsonPath_,
-                    [&](std::ostream& json) { json << toJson(tables, origin).dump(2) << '\n'; });
+    outputs.addText(jsonPath_, [&](std::ostream& json) { writeJson(json, tables, origin); });
   if (!markdownPath_.empty())
     outputs.addText(markdownPath_,
                     [&](std::ostream& markdown) { writeMarkdown(markdown, tables, origin); });

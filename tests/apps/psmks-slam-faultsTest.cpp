@@ -185,6 +185,21 @@ TEST_F(PsmksSlamFaults, ALinkToAFileStaysALink)
   EXPECT_EQ(readTrajectory(path("elsewhere.tum")).size(), 8u);
 }
 
+TEST_F(PsmksSlamFaults, ALabelThatIsNoTextIsQuotedShortly)
+{
+  const RoomLog log(8);
+  for (const auto& step : log.steps) step.scan->sensorLabel = std::string(100000, '\xFF');
+  auto entries = asFrames(log);
+  const auto other = mrpt::obs::CObservation2DRangeScan::Create(*log.steps.front().scan);
+  other->sensorLabel = "REAR";
+  std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(entries[1])->insert(other);
+  writeGzipped(entries, path("room.rawlog"));
+  const ProgramRun run = slam();
+  EXPECT_EQ(run.exitCode, 0) << run.errors;
+  EXPECT_LT(run.errors.size(), 1000u);
+  expectAllOrNothing("label");
+}
+
 // A rawlog of eight scans, cut at many places and with single bits flipped.
 TEST_F(PsmksSlamFaults, ADamagedRawlogIsUsedUpToItsDamage)
 {

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/pairs/PairsInput.h>
 #include <apps/psmks-benchmark/pairs/ScanPairs.h>
+#include <apps/support/ReplacedFile.h>
 
 #include <filesystem>
 #include <iomanip>
@@ -93,8 +94,13 @@ void savePairs(const std::string& folder, const PairsInput& input)
   PairsHeader header = input.header;
   /** May be fewer than the header of the file announced. */
   header.pairs = static_cast<int>(input.pairs.size());
-  PairsWriter writer(path, header);
-  for (const ScanPair& pair : input.pairs) writer.write(pair);
-  writer.close();
+  const auto write = [&](const std::string& beside)
+  {
+    PairsWriter writer(beside, header);
+    for (const ScanPair& pair : input.pairs) writer.write(pair);
+    writer.close();
+    return true;
+  };
+  if (!replaceFile(path, write)) throw PairsFileError(path + ": cannot be written");
 }
 }  // namespace psmks

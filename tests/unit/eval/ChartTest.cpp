@@ -235,8 +235,7 @@ TEST_F(ChartFile, AFolderThatDoesNotExistIsNamed)
 {
   std::string reason;
   EXPECT_FALSE(save(zigzag(), path("missing/chart.png"), &reason));
-  EXPECT_EQ(reason,
-            path("missing/chart.png") + ": cannot be written");
+  EXPECT_EQ(reason, path("missing/chart.png") + ": cannot be written");
 }
 
 TEST(Chart, WithoutGnuplotThereIsAReason)
