@@ -39,6 +39,7 @@ double medianPeriod_s(const std::vector<PosedScan>& scans)
   for (std::size_t s = 1; s < scans.size(); ++s)
     if (const double period_s = scans[s].stamp_s() - scans[s - 1].stamp_s(); period_s > 0)
       periods_s.push_back(period_s);
+  /** Where no stamps rise. Definition: a common scanner's. */
   constexpr double kUsual_s = 0.1;
   return periods_s.empty() ? kUsual_s : median(periods_s);
 }
@@ -51,6 +52,8 @@ struct OdometrySpeed
 
 OdometrySpeed odometrySpeed(const std::vector<PosedScan>& scans)
 {
+  /** Steps below the first are those of a robot that stands, and turns above the share of the
+   * second are chance. Definition: the rounding of logs; one scan in twenty. */
   constexpr double kStanding_m = 1e-3, kMost = 0.95;
   std::vector<double> steps_m, turns_rad;
   for (std::size_t s = 1; s < scans.size(); ++s)
@@ -68,6 +71,7 @@ OdometrySpeed odometrySpeed(const std::vector<PosedScan>& scans)
 template <class Path, class PlaceOf>
 double length_m(const Path& path, PlaceOf placeOf)
 {
+  /** Definition: a robot's length. */
   constexpr double kStep_m = 0.5;
   double length_m = 0;
   Eigen::Vector2d last = path.empty() ? Eigen::Vector2d::Zero() : placeOf(path.front());

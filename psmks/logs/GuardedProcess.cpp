@@ -61,6 +61,7 @@ void guardProcess(std::size_t memory_bytes)
 
 void limitWorkingTime()
 {
+  /** Time for one piece of work. Unit: s. Definition: a hundred times that of a large image. */
   constexpr int kLongest_s = 5;
   const itimerval limit{{0, 0}, {kLongest_s, 0}};
   setitimer(ITIMER_PROF, &limit, nullptr);
