@@ -2,7 +2,6 @@
 #include <psmks/slam/PoseGraph.h>
 #include <psmks/slam/ReferencePolicy.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 
@@ -17,8 +16,9 @@ constexpr double kKnown_m = 0.1, kKnown_rad = degToRad(1.5);
 /** Standard deviation of a position along the direction that is known worst. */
 double positionSigma_m(const Eigen::Matrix3d& covariance)
 {
-  const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(position).eigenvalues().y());
+  const double mean_m2 = (covariance(0, 0) + covariance(1, 1)) / 2;
+  const double halfDifference_m2 = (covariance(0, 0) - covariance(1, 1)) / 2;
+  return std::sqrt(mean_m2 + std::hypot(halfDifference_m2, covariance(0, 1)));
 }
 
 /** Whether a pose is at least as far away, or turned at least as far, as the limits. */
