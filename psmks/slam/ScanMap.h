@@ -20,8 +20,10 @@ struct ScanMap
     double sigma_m;  //!< standard deviation of their distances from it
   };
 
-  std::vector<Eigen::Vector2d> points_m;  //!< every valid return of every scan
-  std::vector<Wall> walls;                //!< the segments of the scans that were references
+  std::vector<Eigen::Vector2d> points_m;  //!< the valid returns of all scans, but for the moving
+  std::vector<Eigen::Vector2d> moving_m;  //!< returns of what has moved, see MovingReturns
+  std::vector<Wall> walls;                //!< the segments of the scans that were references, but
+                                          //!< for those that most rays of which met what has moved
   std::vector<Pose2> path;                //!< T_world_robot, one for each scan
   std::vector<Pose2> odometryPath;        //!< T_world_odometry, one for each scan; empty where the
                                           //!< odometry never moved

@@ -67,6 +67,26 @@ TEST(ScanMap, APathIsOnePoseAScanAndThatOfOdometryOnlyWhereItMoved)
   EXPECT_TRUE(isNearly(map.odometryPath[1], moved.T_world_odometry, 0, 0));
 }
 
+//   +-----+    a box of 1 m beside the robot in one of four scans; the others saw the walls behind
+//   it | o # |
+//   +-----+
+TEST(ScanMap, LeavesOutWhatHasMoved)
+{
+  std::vector<Wall> withBox = squareRoom();
+  for (const Wall& side : box({1.5, 0}, 1, 1)) withBox.push_back(side);
+  std::vector<PosedScan> scans(4, scanOfRoom());
+  for (PosedScan& scan : scans) scan.isReference = true;
+  const ScanMap still = makeScanMap(scans, {});
+  EXPECT_TRUE(still.moving_m.empty());
+  const Pose2 T_room_sensor = Pose2{10, 5, 0}.inverse() * scans[0].T_world_sensor();
+  scans[0].scan = castScan(withBox, T_room_sensor, scans[0].scan.grid);
+  const ScanMap map = makeScanMap(scans, {});
+  EXPECT_GT(map.moving_m.size(), 20U);
+  EXPECT_EQ(map.points_m.size() + map.moving_m.size(), still.points_m.size());
+  for (const ScanMap::Wall& wall : map.walls)
+    EXPECT_LT(distanceFromWalls_m((wall.from_m + wall.to_m) / 2), 0.01);
+}
+
 TEST(ScanMap, OfNoScansIsEmpty)
 {
   const ScanMap map = makeScanMap({}, {});
