@@ -1,10 +1,10 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-simulate/GridmapSurroundings.h>
-#include <apps/psmks-simulate/People.h>
 #include <apps/psmks-simulate/Place.h>
 #include <apps/support/ExitCode.h>
 #include <psmks/logs/GuardedProcess.h>
 #include <psmks/sim/MapFile.h>
+#include <psmks/sim/People.h>
 #include <psmks/sim/WorldIndex.h>
 #include <psmks/sim/Worlds.h>
 

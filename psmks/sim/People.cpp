@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <apps/psmks-simulate/People.h>
+#include <psmks/sim/People.h>
 #include <psmks/sim/Walker.h>
 
 #include <random>
