@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/convergence/ConvergenceCommand.h>
+#include <apps/psmks-benchmark/drives/DrivesCommand.h>
 #include <apps/psmks-benchmark/experiments/ExperimentsCommand.h>
 #include <apps/psmks-benchmark/experiments/SegmentationCommand.h>
 #include <apps/psmks-benchmark/growth/GrowthCommand.h>
@@ -86,6 +87,7 @@ void addCommands(Commands& commands)
   commands.add<GrowthCommand>("growth", "how the time of a match grows with the rays of the scans");
   commands.add<SegmentationCommand>("segmentation", "Kalman Segmentation on simulated scans");
   commands.add<ExperimentsCommand>("experiments", "the paper's experiments on simulated drives");
+  commands.add<DrivesCommand>("drives", "long simulated drives: errors, time and memory");
   commands.add("matchers", "lists those that can be compared", listMatchers);
 }
 

@@ -39,7 +39,7 @@ class KeyframeGraph
     return graph_.poses()[*nodeOf_[scan]];
   }
 
-  /** Adds a keyframe and optimises the graph.
+  /** Adds a keyframe at a guess of its pose.
    *  @param links to the new keyframe; those from scans that are not keyframes are left out */
   void add(std::size_t scan, const Pose2& guess, const std::vector<PoseLink>& links)
   {
@@ -47,8 +47,9 @@ class KeyframeGraph
     for (const PoseLink& link : links)
       if (nodeOf_[link.from])
         graph_.add({*nodeOf_[link.from], *nodeOf_[scan], link.T_from_to, link.information});
-    graph_.optimise();
   }
+
+  void optimise() { graph_.optimise(); }
 
  private:
   PoseGraph graph_;
@@ -90,8 +91,32 @@ std::vector<Pose2> DriftBound::poses(const std::vector<DriftBoundStep>& steps) c
     if (!withMap || !step.joinsMap) continue;
     for (const std::size_t other : step.links) links.push_back(linked(other, scan));
     map.add(scan, online[scan], links);
+    map.optimise();
   }
   return online;
+}
+
+std::vector<Pose2> DriftBound::settledPoses(const std::vector<DriftBoundStep>& steps) const
+{
+  std::vector<Pose2> poses{recording_.scans.front().T_world_robot};
+  std::vector<PoseLink> placing(steps.size());  // of each scan, from its reference or the last scan
+  KeyframeGraph map(steps.size());
+  map.add(0, poses.front(), {});
+  for (std::size_t scan = 1; scan < steps.size(); ++scan)
+  {
+    const DriftBoundStep& step = steps[scan];
+    placing[scan] = step.reference ? matched(*step.reference, scan)
+                                   : PoseLink{scan - 1, scan, measuredMotion(scan - 1, scan), {}};
+    poses.push_back(poses[placing[scan].from] * placing[scan].T_from_to);
+    if (!step.joinsMap) continue;
+    std::vector<PoseLink> links{placing[scan]};
+    for (const std::size_t other : step.links) links.push_back(linked(other, scan));
+    map.add(scan, poses[scan], links);
+  }
+  map.optimise();
+  for (std::size_t scan = 1; scan < steps.size(); ++scan)
+    poses[scan] = map.find(scan).value_or(poses[placing[scan].from] * placing[scan].T_from_to);
+  return poses;
 }
 
 PoseLink DriftBound::matched(std::size_t reference, std::size_t current) const

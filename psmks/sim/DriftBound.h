@@ -43,6 +43,11 @@ class DriftBound
    *  @param steps one for each scan */
   std::vector<Pose2> poses(const std::vector<DriftBoundStep>& steps) const;
 
+  /** The same once all matches are known: the keyframes where all links together place them, every
+   * other scan beside its reference.
+   *  @param steps one for each scan */
+  std::vector<Pose2> settledPoses(const std::vector<DriftBoundStep>& steps) const;
+
  private:
   PoseLink matched(std::size_t reference, std::size_t current) const;
   PoseLink linked(std::size_t reference, std::size_t current) const;

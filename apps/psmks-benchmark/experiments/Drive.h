@@ -16,6 +16,7 @@ struct DrivePlan
   unsigned seed = 1;
   double maxRange_m = 30;
   double duration_s = 600;
+  int people = 0;  //!< so many walk about
 };
 
 /** A drive in a simulated world, which is the same for all methods. */

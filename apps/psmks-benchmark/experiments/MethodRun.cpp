@@ -1,7 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-benchmark/experiments/MethodRun.h>
 #include <psmks/eval/Statistics.h>
-#include <psmks/sim/DriftBound.h>
 #include <psmks/slam/ScanMap.h>
 
 #include <algorithm>
@@ -53,19 +52,6 @@ void follow(const Recording& recording, TrajectoryBuilder& builder,
     T_world_robot.push_back(T_world_start * posed.T_world_robot.pose);
   }
   builder.optimise();
-}
-
-/** The scans that each scan was matched against. */
-std::vector<DriftBoundStep> driftBoundSteps(const std::vector<PosedScan>& scans)
-{
-  std::vector<DriftBoundStep> steps(scans.size());
-  for (std::size_t s = 0; s < scans.size(); ++s)
-  {
-    if (scans[s].isMatched()) steps[s].reference = scans[s].decidingMatch()->reference;
-    steps[s].joinsMap = scans[s].isReference;
-    for (const auto& link : scans[s].links) steps[s].links.push_back(link.reference);
-  }
-  return steps;
 }
 
 void countMatch(const Recording& recording, const ReferenceMatch& match, std::size_t scan,
@@ -128,6 +114,18 @@ double shareOfEndsOnWalls(const World& world, const Pose2& T_world_start, const 
   return ends > 0 ? static_cast<double>(onWalls) / ends : 0;
 }
 }  // namespace
+
+std::vector<DriftBoundStep> driftBoundSteps(const std::vector<PosedScan>& scans)
+{
+  std::vector<DriftBoundStep> steps(scans.size());
+  for (std::size_t s = 0; s < scans.size(); ++s)
+  {
+    if (scans[s].isMatched()) steps[s].reference = scans[s].decidingMatch()->reference;
+    steps[s].joinsMap = scans[s].isReference;
+    for (const auto& link : scans[s].links) steps[s].links.push_back(link.reference);
+  }
+  return steps;
+}
 
 std::vector<Pose2> odometryPoses(const Recording& recording)
 {

@@ -4,6 +4,7 @@
 #include <apps/psmks-benchmark/experiments/Drive.h>
 #include <apps/psmks-benchmark/experiments/Method.h>
 #include <psmks/core/MatcherOptions.h>
+#include <psmks/sim/DriftBound.h>
 #include <psmks/slam/TrajectoryBuilder.h>
 
 #include <vector>
@@ -38,6 +39,9 @@ struct MethodFigures
 
 /** The poses of the robot by odometry alone at all scans, in the frame of the world. */
 std::vector<Pose2> odometryPoses(const Recording& recording);
+
+/** The scans that each scan was matched against. */
+std::vector<DriftBoundStep> driftBoundSteps(const std::vector<PosedScan>& scans);
 
 struct MethodRun
 {
