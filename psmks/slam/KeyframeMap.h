@@ -90,6 +90,12 @@ class KeyframeMap
   /** Moves all keyframes to where all links together say that they are. The first one stays. */
   void optimise(std::vector<PosedScan>& scans);
 
+  /** The keyframes as nodes, in the order in which they were added, and the links between them. */
+  const PoseGraph& graph() const { return graph_; }
+
+  /** The index of the scan of every node. */
+  const std::vector<std::size_t>& scansOfNodes() const { return scanOf_; }
+
  private:
   bool sawEnough(const PosedScan& keyframe, const PosedScan& current) const;
   bool isKnown(const PoseGraph::KnownNode& keyframe) const;

@@ -166,13 +166,17 @@ void PoseGraph::add(const PoseLink& link)
   weigh(added);
 }
 
+double PoseGraph::weight(const PoseLink& link) const
+{
+  return kernelWeight(link, linkError(link, poses_[link.from], poses_[link.to]));
+}
+
 /** Weighs what a link says in both directions by how far it contradicts the poses. */
 void PoseGraph::weigh(std::size_t link)
 {
   const PoseLink& weighed = links_[link];
-  const Eigen::Vector3d error = linkError(weighed, poses_[weighed.from], poses_[weighed.to]);
   Way& way = ways_[link];
-  way.T_from_to = {weighed.T_from_to, covarianceOf(weighed, kernelWeight(weighed, error))};
+  way.T_from_to = {weighed.T_from_to, covarianceOf(weighed, weight(weighed))};
   way.T_to_from = seenFrom(way.T_from_to, UncertainPose());
   setLeftOpen(weighed.from, link, way.T_from_to);
   setLeftOpen(weighed.to, link, way.T_to_from);

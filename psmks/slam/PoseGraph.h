@@ -82,6 +82,10 @@ class PoseGraph
 
   const std::vector<PoseLink>& links() const { return links_; }
 
+  /** By how much of its information a link counts in the cost at the present poses: 1 where it
+   * agrees with them, less the more it contradicts them. */
+  double weight(const PoseLink& link) const;
+
  private:
   /** A link as seen from one of its nodes. */
   struct Step

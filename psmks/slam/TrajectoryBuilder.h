@@ -66,6 +66,9 @@ class TrajectoryBuilder
   /** All scans so far, in the order they came. */
   const std::vector<PosedScan>& scans() const { return scans_; }
 
+  /** The keyframes and the links between them; empty with ReferenceChoice::Sequential. */
+  const KeyframeMap& map() const { return map_; }
+
  private:
   /** The last scan seen from a keyframe by a match and the motions since then. The poses of the map
    * have no part in it but as a prior of the match, so that it is evidence for them. */
