@@ -1,9 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/geometry/UniformGrid.h>
 #include <psmks/sim/CellLists.h>
 #include <psmks/sim/Surroundings.h>
-#include <psmks/sim/UniformGrid.h>
 #include <psmks/sim/World.h>
 
 #include <vector>

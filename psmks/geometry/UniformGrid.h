@@ -14,8 +14,9 @@ class UniformGrid
   UniformGrid() = default;
 
   /** Makes a grid that covers the rectangle between two corners.
-   *  @param cell_m least size of a cell; doubled until there are at most kMaxCells */
-  UniformGrid(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_m, double cell_m);
+   *  @param cell_m least size of a cell; doubled until there are at most maxCells */
+  UniformGrid(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_m, double cell_m,
+              int maxCells = kMaxCells);
 
   static constexpr int kMaxCells = 1 << 22;
 

@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <psmks/sim/UniformGrid.h>
+#include <psmks/geometry/UniformGrid.h>
 
 #include <array>
 

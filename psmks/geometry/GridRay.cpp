@@ -1,5 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
-#include <psmks/sim/GridRay.h>
+#include <psmks/geometry/GridRay.h>
 
 #include <cmath>
 #include <limits>
