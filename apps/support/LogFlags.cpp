@@ -41,6 +41,14 @@ void LogFlags::addTo(CLI::App& app)
                  "CARMEN logs: which of a message's two times; default: ipc, unless all are 0")
       ->type_name("ipc|logger")
       ->check(CLI::IsMember({kIpc, kLogger}));
+  app.add_option("--bag-odometry", bagOdometry_,
+                 "ROS bags: topic of the odometry; default: that with most messages, else /tf")
+      ->type_name("TOPIC");
+  app.add_option("--bag-sensor-pose", bagSensorPose_,
+                 "ROS bags: where the scanner sits on the robot; default: by /tf and /tf_static")
+      ->type_name("X_M,Y_M,PHI_DEG")
+      ->delimiter(',')
+      ->expected(3);
 }
 
 LogOptions LogFlags::options() const
@@ -50,6 +58,10 @@ LogOptions LogFlags::options() const
   options.carmen.increment_rad = toRadians(increment_deg_);
   options.carmen.fieldOfView_rad = toRadians(fieldOfView_deg_);
   options.carmen.maxRange_m = maxRange_m_;
+  options.rosBag.odometryTopic = bagOdometry_;
+  if (bagSensorPose_.size() == 3)
+    options.rosBag.T_robot_sensor =
+        Pose2{bagSensorPose_[0], bagSensorPose_[1], degToRad(bagSensorPose_[2])};
   if (stamp_) options.carmen.stamp = *stamp_ == kIpc ? CarmenStamp::Ipc : CarmenStamp::Logger;
   return options;
 }

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -17,7 +18,7 @@ namespace psmks
 class LogFlags
 {
  public:
-  /** Adds --sensor and the flags that begin with --carmen. */
+  /** Adds --sensor and the flags that begin with --carmen and --bag. */
   void addTo(CLI::App& app);
 
   LogOptions options() const;
@@ -27,6 +28,7 @@ class LogFlags
  private:
   std::optional<std::string> sensor_;
   std::optional<double> increment_deg_, fieldOfView_deg_, maxRange_m_;
-  std::optional<std::string> stamp_;
+  std::optional<std::string> stamp_, bagOdometry_;
+  std::vector<double> bagSensorPose_;  //!< x in m, y in m, phi in degrees, or nothing
 };
 }  // namespace psmks

@@ -27,6 +27,10 @@ LIBRARIES = {
     "pcl": "PCL",
     "CLI": "CLI11",
     "nlohmann": "nlohmann-json",
+    "rosbag": "ROS",
+    "sensor_msgs": "ROS",
+    "nav_msgs": "ROS",
+    "tf2_msgs": "ROS",
 }
 NEVER = [("psmks/paper", "psmks/joint"), ("psmks/joint", "psmks/paper")]
 
