@@ -1,11 +1,13 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-evaluate/ErrorFigure.h>
 #include <psmks/eval/PathErrors.h>
+#include <psmks/eval/Statistics.h>
 #include <psmks/geometry/Angle.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace psmks
 {
@@ -43,7 +45,7 @@ Pose2 T_start_world(const StampedPose& start)
 /** The paths, laid over the true path; without a ground truth with a common start. */
 Chart pathsChart(const std::vector<Comparison>& comparisons, const std::optional<Trajectory>& truth)
 {
-  Chart chart = chartOf(truth ? "paths, aligned" : "paths", "x [m]", "y [m]");
+  Chart chart = chartOf(truth ? "paths, aligned" : "paths", "x, m", "y, m");
   chart.equalAspect = true;
   for (const Comparison& c : comparisons)
     chart.series.push_back(
@@ -60,10 +62,36 @@ using ErrorValue = std::function<double(const PairError&)>;
 double translation_m(const PairError& error) { return error.translation_m; }
 double rotation_deg(const PairError& error) { return radToDeg(error.rotation_rad); }
 
-Chart alongPathChart(const std::vector<Comparison>& comparisons, const std::string& quantity,
-                     const std::string& unit, const ErrorValue& value)
+double medianOf(const ChartSeries& series)
 {
-  Chart chart = chartOf("error of " + quantity, "true path [m]", "error [" + unit + ']');
+  std::vector<double> values;
+  for (const Eigen::Vector2d& point : series.points) values.push_back(point.y());
+  return median(values);
+}
+
+/** Makes the axis of the errors logarithmic where those of one curve are many times those of
+ * another, which would lie on the axis else. */
+void showSmallBesideLarge(Chart& chart, double leastShown)
+{
+  /** Medians that are farther apart are not seen together on a linear axis. Definition: a tenth of
+   * the height. */
+  constexpr double kFarApart = 10;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const ChartSeries& series : chart.series)
+  {
+    least = std::min(least, medianOf(series));
+    most = std::max(most, medianOf(series));
+  }
+  if (most <= kFarApart * least) return;
+  chart.yRange.logarithmic = true;
+  for (ChartSeries& series : chart.series)
+    for (Eigen::Vector2d& point : series.points) point.y() = std::max(point.y(), leastShown);
+}
+
+Chart alongPathChart(const std::vector<Comparison>& comparisons, const std::string& quantity,
+                     const std::string& unit, double leastShown, const ErrorValue& value)
+{
+  Chart chart = chartOf("error of " + quantity, "true path, m", "error, " + unit);
   for (const Comparison& c : comparisons)
   {
     ChartSeries series{c.name, {}};
@@ -73,14 +101,14 @@ Chart alongPathChart(const std::vector<Comparison>& comparisons, const std::stri
       if (!std::isnan(value(errors[i]))) series.points.emplace_back(lengths_m[i], value(errors[i]));
     chart.series.push_back(series);
   }
+  showSmallBesideLarge(chart, leastShown);
   return chart;
 }
 
 Chart relationsChart(const std::vector<Comparison>& comparisons, const std::string& quantity,
                      const std::string& unit, double leastShown, const ErrorValue& value)
 {
-  Chart chart =
-      chartOf("relations: error of " + quantity, "time spanned [s]", "error [" + unit + ']');
+  Chart chart = chartOf("relations: error of " + quantity, "time spanned, s", "error, " + unit);
   chart.xRange.logarithmic = chart.yRange.logarithmic = true;
   for (const Comparison& c : comparisons)
   {
@@ -101,8 +129,10 @@ Figure errorFigure(const std::vector<Comparison>& comparisons,
   figure.panels.push_back(pathsChart(comparisons, truth));
   if (truth)
   {
-    figure.panels.push_back(alongPathChart(comparisons, "position", "m", translation_m));
-    figure.panels.push_back(alongPathChart(comparisons, "heading", "deg", rotation_deg));
+    figure.panels.push_back(
+        alongPathChart(comparisons, "position", "m", kLeastShown_m, translation_m));
+    figure.panels.push_back(
+        alongPathChart(comparisons, "heading", "deg", kLeastShown_deg, rotation_deg));
   }
   if (!comparisons.front().relations.empty())
   {

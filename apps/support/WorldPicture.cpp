@@ -17,9 +17,6 @@ const Colour kPath(110, 50, 210);
 const Colour kMoving(20, 140, 250);
 
 constexpr double kMargin_m = 1.0;
-/** Height of the empty strip above the world that the legend goes to, as a share of the longer
- * side. */
-constexpr double kLegendStrip = 0.2;
 constexpr double kWallWidth = 2, kRouteWidth = 3, kPathWidth = 1.2, kMovingWidth = 1;  // hairlines
 
 std::vector<Eigen::Vector2d> pointsOf(const World& world)
@@ -91,8 +88,7 @@ bool saveWorldPicture(const WorldPicture& picture, const std::string& path)
   const Eigen::AlignedBox2d bounds = boundsOf(picture);
   if (bounds.isEmpty()) return false;
   const Eigen::Vector2d margin_m = Eigen::Vector2d::Constant(kMargin_m);
-  const Eigen::Vector2d strip_m(0, kLegendStrip * bounds.sizes().maxCoeff());
-  MapSheet sheet({bounds.min() - margin_m, bounds.max() + margin_m + strip_m});
+  MapSheet sheet({bounds.min() - margin_m, bounds.max() + margin_m});
   sheet.drawGrid();
   sheet.drawPath(picture.route, kRoute, kRouteWidth);
   drawWorld(sheet, picture.world);

@@ -13,14 +13,15 @@ namespace psmks
 /** The content of a picture of a simulated drive. All except the world may be empty. */
 struct WorldPicture
 {
-  std::string title;  //!< first line of the legend
+  std::string title;  //!< above the picture
   World world;
   Route route;              //!< the route to follow
   std::vector<Pose2> path;  //!< the true path
 };
 
-/** Draws walls and points dark, the moving objects with their paths, the route, the driven path, a
- * bar for the scale and a legend. For directions and resolution see MapSheet.
+/** Draws walls and points dark, the moving objects with their paths, the route and the driven path;
+ * around them the title, numbers in metres and a legend. For directions and resolution see
+ * MapSheet.
  *  @return false if the file cannot be written or there is nothing to draw */
 bool saveWorldPicture(const WorldPicture& picture, const std::string& path);
 }  // namespace psmks

@@ -4,104 +4,129 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <sstream>
 
 namespace psmks
 {
 namespace
 {
-constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr double kFontHeight_px = 22;  // height of a letter at font scale 1
-/** Least number of scale bars that fit side by side on the picture. */
-constexpr double kBarsPerSheet = 6;
-constexpr double kBoxShade = 0.85;                   // brightness of the frame relative to the grid
-constexpr double kBarWidth = 1.5, kMarkWidth = 4.5;  // hairlines
+/** Half the distance of two rows, and the height of a capital letter as a share of it. */
+constexpr double kUnit = 10, kCapital = 0.95;  // hairlines; share
+
+constexpr const char* kXLabel = "x, m";
+constexpr const char* kYLabel = "y, m";
 }  // namespace
+
+MapLegend::MapLegend(MapSheet& sheet)
+    : sheet_(sheet),
+      unit_(sheet.strokes(kUnit)),
+      text_(std::max(1, static_cast<int>(std::lround(kCapital * unit_))))
+{
+}
 
 void MapLegend::draw()
 {
-  const double sheetWidth_m = sheet_.frame().max_m.x() - sheet_.frame().min_m.x();
-  const double scale_m = roundLength(sheetWidth_m / kBarsPerSheet);
-  std::ostringstream lengthText;
-  lengthText << scale_m << " m";
-  const std::string scaleText = lengthText.str();
-  const int barWidth = static_cast<int>(std::lround(scale_m / sheet_.pixel_m()));
-  int width = barWidth + unit_ + textWidth(scaleText);
-  for (const auto& row : rows_) width = std::max(width, 4 * unit_ + textWidth(row.text));
-  const int height = 2 * (static_cast<int>(rows_.size()) + 1) * unit_;
-  const cv::Rect box = emptiestCorner({width + 3 * unit_, height + 2 * unit_});
-  drawBox(box);
-
-  cv::Point at = box.tl() + cv::Point(unit_, 2 * unit_);
-  for (const auto& row : rows_)
+  const Margins margins = this->margins();
+  cv::Mat& image = sheet_.image();
+  const cv::Rect map({margins.left, margins.top}, image.size());
+  cv::Mat framed;
+  cv::copyMakeBorder(image, framed, margins.top, margins.bottom, margins.left, margins.right,
+                     cv::BORDER_CONSTANT, ink::kPaper);
+  image = framed;
+  cv::Point title(margins.left, rowHeight());
+  for (const std::string& text : titles_)
   {
-    drawRow(row, at);
-    at.y += 2 * unit_;
+    write(text, title);
+    title.y += rowHeight();
   }
-  drawScale(at, barWidth, scaleText);
+  drawAxes(margins, map);
+  drawEntries({margins.left, map.br().y + 3 * rowHeight()}, framed.cols - margins.left);
 }
 
-double MapLegend::fontScale() const { return unit_ / kFontHeight_px; }
-
-int MapLegend::textWidth(const std::string& text) const
+/** Margins that hold all texts; on the right what titles and entries of the legend need. */
+MapLegend::Margins MapLegend::margins() const
 {
-  int baseline = 0;
-  return cv::getTextSize(text, kFont, fontScale(), sheet_.strokes(1), &baseline).width;
+  Margins margins{text_.width_px(kYLabel), 2 * unit_, 0, 0};
+  for (const double y : sheet_.frame().gridCoordinates_m(1))
+    margins.left = std::max(margins.left, text_.width_px(lengthText(y)));
+  margins.left += 3 * unit_;
+  margins.top = (static_cast<int>(titles_.size()) + 2) * rowHeight();
+  int widest = 0;
+  for (const std::string& title : titles_) widest = std::max(widest, text_.width_px(title));
+  for (const Entry& entry : entries_) widest = std::max(widest, widthOf(entry));
+  const int mapWidth = sheet_.image().cols;
+  margins.right = std::max(margins.right, widest - mapWidth + 2 * unit_);
+  const auto places = this->places(mapWidth + margins.right);
+  margins.bottom = (places.empty() ? 0 : places.back().y) + 4 * rowHeight();
+  return margins;
 }
 
-/** The corner whose mean brightness is highest, so that the box hides as little as possible. */
-cv::Rect MapLegend::emptiestCorner(const cv::Size& size) const
+/** Where the entries begin, one after the other in rows of a width. */
+std::vector<cv::Point> MapLegend::places(int width) const
 {
-  const cv::Mat& image = sheet_.image();
-  const int left = unit_, top = unit_;
-  const int right = std::max(left, image.cols - size.width - unit_);
-  const int bottom = std::max(top, image.rows - size.height - unit_);
-  cv::Rect best;
-  double brightest = -1;
-  for (const cv::Point corner :
-       {cv::Point(left, bottom), {right, bottom}, {left, top}, {right, top}})
+  std::vector<cv::Point> places;
+  cv::Point at;
+  for (const Entry& entry : entries_)
   {
-    const cv::Rect box(corner, size);
-    const cv::Scalar mean = cv::mean(image(box & cv::Rect({0, 0}, image.size())));
-    const double brightness = mean[0] + mean[1] + mean[2];
-    if (brightness <= brightest) continue;
-    brightest = brightness;
-    best = box;
+    if (at.x > 0 && at.x + widthOf(entry) > width) at = {0, at.y + rowHeight()};
+    places.push_back(at);
+    at.x += widthOf(entry);
   }
-  return best;
+  return places;
 }
 
-void MapLegend::drawBox(const cv::Rect& box)
+void MapLegend::drawAxes(const Margins& margins, const cv::Rect& map)
 {
-  cv::rectangle(sheet_.image(), box, ink::kPaper, cv::FILLED);
-  cv::rectangle(sheet_.image(), box, ink::kGrid * kBoxShade, sheet_.strokes(1), cv::LINE_AA);
+  cv::rectangle(sheet_.image(), map, ink::kFrame, sheet_.strokes(1), cv::LINE_AA);
+  const MapFrame& frame = sheet_.frame();
+  const int below = map.br().y + rowHeight();
+  int free = map.x;  // where the last number ends
+  for (const double x : frame.gridCoordinates_m(0))
+  {
+    const std::string text = lengthText(x);
+    const int middle = map.x + static_cast<int>((x - frame.min_m.x()) / sheet_.pixel_m());
+    const int begin = middle - text_.width_px(text) / 2;
+    if (begin < free) continue;
+    write(text, {begin, below});
+    free = begin + text_.width_px(text) + unit_;
+  }
+  for (const double y : frame.gridCoordinates_m(1))
+  {
+    const std::string text = lengthText(y);
+    const int middle = map.y + static_cast<int>((frame.max_m.y() - y) / sheet_.pixel_m());
+    write(text, {margins.left - unit_ - text_.width_px(text), middle});
+  }
+  write(kYLabel, {margins.left - unit_ - text_.width_px(kYLabel), map.y - rowHeight()});
+  write(kXLabel, {map.x + (map.width - text_.width_px(kXLabel)) / 2, below + rowHeight()});
 }
 
-void MapLegend::drawRow(const Row& row, const cv::Point& at)
+void MapLegend::drawEntries(const cv::Point& at, int width)
 {
-  if (row.sample == Sample::None) return write(row.text, at);
-  const cv::Point sampleEnd = at + cv::Point(3 * unit_, 0);
-  if (row.sample == Sample::Line)
-    cv::line(sheet_.image(), at, sampleEnd, row.colour, sheet_.strokes(row.width), cv::LINE_AA);
-  else
-    cv::circle(sheet_.image(), (at + sampleEnd) / 2, sheet_.strokes(kMarkWidth), row.colour,
-               cv::FILLED, cv::LINE_AA);
-  write(row.text, sampleEnd + cv::Point(unit_, 0));
+  const auto places = this->places(width);
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+  {
+    const cv::Point from = at + places[i], to = from + cv::Point(3 * unit_, 0);
+    drawSample(entries_[i], from, to);
+    write(entries_[i].text, to + cv::Point(unit_, 0));
+  }
 }
 
-void MapLegend::drawScale(const cv::Point& at, int barWidth, const std::string& text)
+void MapLegend::drawSample(const Entry& entry, const cv::Point& from, const cv::Point& to)
 {
-  const cv::Point end = at + cv::Point(barWidth, 0), tick(0, unit_ / 2);
-  const int stroke_px = sheet_.strokes(kBarWidth);
-  cv::line(sheet_.image(), at, end, ink::kText, stroke_px, cv::LINE_AA);
-  for (const auto& p : {at, end})
-    cv::line(sheet_.image(), p - tick, p + tick, ink::kText, stroke_px, cv::LINE_AA);
-  write(text, end + cv::Point(unit_, 0));
+  cv::Mat& image = sheet_.image();
+  const int width = sheet_.strokes(entry.width);
+  if (entry.sample == Sample::Disc || entry.sample == Sample::Square)
+    return sheet_.drawMark(
+        (from + to) / 2, entry.colours.front(),
+        entry.sample == Sample::Disc ? MapSheet::Mark::Disc : MapSheet::Mark::Square);
+  const bool isDashed = entry.sample == Sample::Dashes;
+  const int pieces = isDashed ? 5 : static_cast<int>(entry.colours.size());
+  for (int piece = 0; piece < pieces; piece += isDashed ? 2 : 1)
+    cv::line(image, from + (to - from) * piece / pieces, from + (to - from) * (piece + 1) / pieces,
+             entry.colours[isDashed ? 0 : static_cast<std::size_t>(piece)], width, cv::LINE_AA);
 }
 
 void MapLegend::write(const std::string& text, const cv::Point& leftMiddle)
 {
-  cv::putText(sheet_.image(), text, leftMiddle + cv::Point(0, unit_ / 2), kFont, fontScale(),
-              ink::kText, sheet_.strokes(1), cv::LINE_AA);
+  text_.write(sheet_.image(), text, leftMiddle);
 }
 }  // namespace psmks

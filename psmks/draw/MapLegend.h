@@ -2,63 +2,97 @@
 #pragma once
 
 #include <psmks/draw/MapSheet.h>
+#include <psmks/draw/MapText.h>
 
 #include <string>
 #include <vector>
 
 namespace psmks
 {
-/** The legend of a map's picture: rows of text, each with a sample of the line or mark that it
- * explains, and a bar for the scale. It is drawn last, in the corner where it hides least. */
+/** What surrounds the picture of a map: the titles above it, numbers in metres at its grid, and a
+ * legend below it. It is drawn last, and nothing of it lies on the map.
+ *
+ *      title
+ *     +-----------+
+ *   5 |    map    |
+ *     +-----------+
+ *      0    5   x, m
+ *      -- walls  o start
+ */
 class MapLegend
 {
  public:
-  explicit MapLegend(MapSheet& sheet) : sheet_(sheet), unit_(sheet.strokes(10)) {}
+  explicit MapLegend(MapSheet& sheet);
 
-  void add(const std::string& text) { rows_.push_back({text, Sample::None, {}, 0}); }
+  /** Adds a title. */
+  void add(const std::string& text) { titles_.push_back(text); }
+
   void addLine(const std::string& text, const MapSheet::Colour& colour, double width)
   {
-    rows_.push_back({text, Sample::Line, colour, width});
+    entries_.push_back({text, Sample::Line, {colour}, width});
   }
-  void addMark(const std::string& text, const MapSheet::Colour& colour)
+  void addDashes(const std::string& text, const MapSheet::Colour& colour, double width)
   {
-    rows_.push_back({text, Sample::Mark, colour, 0});
+    entries_.push_back({text, Sample::Dashes, {colour}, width});
+  }
+  /** Adds a line whose colour changes along it, by its colours from start to end. */
+  void addShades(const std::string& text, const std::vector<MapSheet::Colour>& colours,
+                 double width)
+  {
+    entries_.push_back({text, Sample::Line, colours, width});
+  }
+  void addMark(const std::string& text, const MapSheet::Colour& colour,
+               MapSheet::Mark mark = MapSheet::Mark::Disc)
+  {
+    entries_.push_back(
+        {text, mark == MapSheet::Mark::Disc ? Sample::Disc : Sample::Square, {colour}, 0});
   }
   /** Adds what MapSheet::drawEnds() draws. */
   void addEnds()
   {
     addMark("start", ink::kStart);
-    addMark("end", ink::kEnd);
+    addMark("end", ink::kEnd, MapSheet::Mark::Square);
   }
 
+  /** Puts the margins around the map and draws into them. */
   void draw();
 
  private:
   enum class Sample
   {
-    None,
     Line,
-    Mark
+    Dashes,
+    Disc,
+    Square
   };
 
-  struct Row
+  struct Entry
   {
     std::string text;
     Sample sample;
-    MapSheet::Colour colour;
+    std::vector<MapSheet::Colour> colours;
     double width;
   };
 
-  double fontScale() const;
-  int textWidth(const std::string& text) const;
-  cv::Rect emptiestCorner(const cv::Size& size) const;
-  void drawBox(const cv::Rect& box);
-  void drawRow(const Row& row, const cv::Point& at);
-  void drawScale(const cv::Point& at, int barWidth, const std::string& text);
+  /** The margins around the map, in pixels. */
+  struct Margins
+  {
+    int left, right, top, bottom;
+  };
+
+  int rowHeight() const { return 2 * unit_; }
+  int widthOf(const Entry& entry) const { return 6 * unit_ + text_.width_px(entry.text); }
+  Margins margins() const;
+  std::vector<cv::Point> places(int width) const;
+  void drawAxes(const Margins& margins, const cv::Rect& map);
+  void drawEntries(const cv::Point& at, int width);
+  void drawSample(const Entry& entry, const cv::Point& from, const cv::Point& to);
   void write(const std::string& text, const cv::Point& leftMiddle);
 
   MapSheet& sheet_;
   int unit_;  //!< half the distance of two rows in pixels
-  std::vector<Row> rows_;
+  MapText text_;
+  std::vector<std::string> titles_;
+  std::vector<Entry> entries_;
 };
 }  // namespace psmks

@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/draw/MapFrame.h>
 #include <psmks/draw/MapLegend.h>
 #include <psmks/draw/MapPicture.h>
 #include <psmks/draw/MapSheet.h>
@@ -13,44 +14,9 @@ namespace
 using Colour = MapSheet::Colour;
 
 const Colour kPoint(190, 170, 140);
-const Colour kOdometry(140, 150, 255);
+const Colour kOdometry(130, 130, 130);
 
-constexpr double kMargin_m = 1.0;
-/** Share of the points that may lie outside the frame on each side. */
-constexpr double kOutlierShare = 0.002;
 constexpr double kPathWidth = 2.2, kOdometryWidth = 1.2, kWallWidth = 1;  // hairlines
-
-/** The range of values without the share kOutlierShare at either end. */
-std::pair<double, double> bulkOf(std::vector<double> values)
-{
-  const auto skipped =
-      static_cast<std::ptrdiff_t>(kOutlierShare * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), values.begin() + skipped, values.end());
-  const double low = values[static_cast<std::size_t>(skipped)];
-  std::nth_element(values.begin(), values.end() - 1 - skipped, values.end());
-  return {low, *(values.end() - 1 - skipped)};
-}
-
-MapSheet::Frame frameOf(const ScanMap& map)
-{
-  std::vector<double> xs, ys;
-  for (const auto& p : map.points_m)
-  {
-    xs.push_back(p.x());
-    ys.push_back(p.y());
-  }
-  const auto [xMin, xMax] = bulkOf(std::move(xs));
-  const auto [yMin, yMax] = bulkOf(std::move(ys));
-  MapSheet::Frame frame{{xMin, yMin}, {xMax, yMax}};
-  for (const auto& pose : map.path)
-  {
-    frame.min_m = frame.min_m.cwiseMin(pose.translation());
-    frame.max_m = frame.max_m.cwiseMax(pose.translation());
-  }
-  frame.min_m.array() -= kMargin_m;
-  frame.max_m.array() += kMargin_m;
-  return frame;
-}
 
 /** A colour between violet at the start and orange at the end, with red in the middle. */
 Colour pathColour(double share)
@@ -95,8 +61,11 @@ void drawLegend(MapSheet& sheet, const ScanMap& map, const std::string& title)
   legend.add(title);
   legend.addLine("points of " + std::to_string(map.path.size()) + " scans", kPoint, 2);
   legend.addLine("segments of the reference scans", ink::kWall, kWallWidth);
-  legend.addLine("path", pathColour(0.5), kPathWidth);
-  if (!map.odometryPath.empty()) legend.addLine("odometry alone", kOdometry, kOdometryWidth);
+  legend.addShades(
+      "path, from start to end",
+      {pathColour(0), pathColour(0.25), pathColour(0.5), pathColour(0.75), pathColour(1)},
+      kPathWidth);
+  if (!map.odometryPath.empty()) legend.addDashes("odometry alone", kOdometry, kOdometryWidth);
   legend.addEnds();
   legend.draw();
 }

@@ -26,9 +26,9 @@ double pixelSize_m(double longerSide_m)
 }
 }  // namespace
 
-MapSheet::MapSheet(const Frame& frame) : frame_(frame)
+MapSheet::MapSheet(const MapFrame& frame) : frame_(frame)
 {
-  const Eigen::Vector2d size_m = frame.max_m - frame.min_m;
+  const Eigen::Vector2d size_m = frame.size_m();
   if (!size_m.allFinite() || !(size_m.maxCoeff() > 0))
     throw std::invalid_argument("a map without extent, or of infinite extent, cannot be drawn");
   pixel_m_ = pixelSize_m(size_m.maxCoeff());
@@ -40,11 +40,9 @@ MapSheet::MapSheet(const Frame& frame) : frame_(frame)
 void MapSheet::drawGrid()
 {
   const auto [min_m, max_m] = frame_;
-  const double spacing_m = roundLength((max_m - min_m).maxCoeff() / 4);
-  const auto firstAbove = [&](double x) { return std::ceil(x / spacing_m) * spacing_m; };
-  for (double x = firstAbove(min_m.x()); x < max_m.x(); x += spacing_m)
+  for (const double x : frame_.gridCoordinates_m(0))
     drawLine({x, min_m.y()}, {x, max_m.y()}, ink::kGrid, 1);
-  for (double y = firstAbove(min_m.y()); y < max_m.y(); y += spacing_m)
+  for (const double y : frame_.gridCoordinates_m(1))
     drawLine({min_m.x(), y}, {max_m.x(), y}, ink::kGrid, 1);
 }
 
@@ -73,13 +71,26 @@ void MapSheet::drawPath(const std::vector<Eigen::Vector2d>& path_m, const Colour
 void MapSheet::drawEnds(const std::vector<Eigen::Vector2d>& path_m)
 {
   drawMark(path_m.front(), ink::kStart);
-  drawMark(path_m.back(), ink::kEnd);
+  drawMark(path_m.back(), ink::kEnd, Mark::Square);
 }
 
-void MapSheet::drawMark(const Eigen::Vector2d& p_m, const Colour& colour)
+void MapSheet::drawMark(const Eigen::Vector2d& p_m, const Colour& colour, Mark mark)
 {
-  cv::circle(image_, pixel(p_m), strokes(kRimWidth), ink::kPaper, cv::FILLED, cv::LINE_AA);
-  cv::circle(image_, pixel(p_m), strokes(kMarkWidth), colour, cv::FILLED, cv::LINE_AA);
+  drawMark(pixel(p_m), colour, mark);
+}
+
+void MapSheet::drawMark(const cv::Point& pixel, const Colour& colour, Mark mark)
+{
+  const auto draw = [&](const Colour& ink, int reach)
+  {
+    const cv::Point corner(reach, reach);
+    if (mark == Mark::Square)
+      cv::rectangle(image_, pixel - corner, pixel + corner, ink, cv::FILLED);
+    else
+      cv::circle(image_, pixel, reach, ink, cv::FILLED, cv::LINE_AA);
+  };
+  draw(ink::kPaper, strokes(kRimWidth));
+  draw(colour, strokes(kMarkWidth));
 }
 
 int MapSheet::strokes(double width) const
@@ -111,13 +122,5 @@ std::vector<Eigen::Vector2d> placesOf(const std::vector<Pose2>& path)
   std::vector<Eigen::Vector2d> places_m;
   for (const auto& pose : path) places_m.push_back(pose.translation());
   return places_m;
-}
-
-double roundLength(double x)
-{
-  const double decade = std::pow(10.0, std::floor(std::log10(x)));
-  for (const double step : {5.0, 2.0})
-    if (step * decade <= x) return step * decade;
-  return decade;
 }
 }  // namespace psmks

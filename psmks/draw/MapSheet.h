@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/draw/MapFrame.h>
 #include <psmks/geometry/Pose2.h>
 
 #include <Eigen/Core>
@@ -20,13 +21,7 @@ class MapSheet
  public:
   using Colour = cv::Scalar;  //!< blue, green, red: 0 to 255
 
-  /** The rectangle of the world that the picture shows. */
-  struct Frame
-  {
-    Eigen::Vector2d min_m, max_m;
-  };
-
-  explicit MapSheet(const Frame& frame);
+  explicit MapSheet(const MapFrame& frame);
 
   /** Draws faint lines at round coordinates, four to ten of them along the longer side. */
   void drawGrid();
@@ -46,10 +41,20 @@ class MapSheet
    *  @param path_m not empty */
   void drawEnds(const std::vector<Eigen::Vector2d>& path_m);
 
-  /** Draws a disc with a rim in the colour of the paper, to mark a place. */
-  void drawMark(const Eigen::Vector2d& p_m, const Colour& colour);
+  /** The shape of a mark. */
+  enum class Mark
+  {
+    Disc,
+    Square
+  };
 
-  const Frame& frame() const { return frame_; }
+  /** Marks a place by a shape with a rim in the colour of the paper. */
+  void drawMark(const Eigen::Vector2d& p_m, const Colour& colour, Mark mark = Mark::Disc);
+
+  /** Marks a pixel of image(). */
+  void drawMark(const cv::Point& pixel, const Colour& colour, Mark mark);
+
+  const MapFrame& frame() const { return frame_; }
   double pixel_m() const { return pixel_m_; }
 
   /** The pixels, at least 1, of a line that is `width` hairlines wide. */
@@ -64,7 +69,7 @@ class MapSheet
  private:
   cv::Point pixel(const Eigen::Vector2d& p_m, int parts = 1) const;
 
-  Frame frame_;
+  MapFrame frame_;
   double pixel_m_;
   double hairline_px_;
   cv::Mat image_;
@@ -73,10 +78,6 @@ class MapSheet
 /** The places of poses. */
 std::vector<Eigen::Vector2d> placesOf(const std::vector<Pose2>& path);
 
-/** The greatest number of the form 1, 2 or 5 times a power of ten that is at most x.
- *  @param x > 0 */
-double roundLength(double x);
-
 /** Colours that mean the same in every picture. */
 namespace ink
 {
@@ -84,7 +85,9 @@ const MapSheet::Colour kPaper(255, 255, 255);
 const MapSheet::Colour kGrid(240, 238, 236);
 const MapSheet::Colour kText(60, 50, 45);
 const MapSheet::Colour kWall(70, 40, 20);
-const MapSheet::Colour kStart(60, 150, 30);
-const MapSheet::Colour kEnd(40, 30, 200);
+const MapSheet::Colour kFrame(160, 155, 150);
+// Of the palette of Okabe and Ito, which colour-blind readers can tell apart.
+const MapSheet::Colour kStart(115, 158, 0);
+const MapSheet::Colour kEnd(178, 114, 0);
 }  // namespace ink
 }  // namespace psmks

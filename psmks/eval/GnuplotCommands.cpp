@@ -1,7 +1,9 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/eval/Gnuplot.h>
 #include <psmks/eval/GnuplotCommands.h>
+#include <psmks/eval/RoundNumber.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,6 +106,39 @@ std::string colorText(unsigned rgb)
   return out.str();
 }
 
+/** A box around all points that are shown. */
+Eigen::AlignedBox2d boundsOf(const Chart& chart)
+{
+  Eigen::AlignedBox2d bounds;
+  for (const ChartSeries& series : chart.series)
+    for (const Eigen::Vector2d& p : series.points)
+      if (isShown(p, chart)) bounds.extend(p);
+  return bounds;
+}
+
+/** The same distance of tics on both axes of a map, so that the shorter one has few of them and
+ * their numbers do not touch. */
+std::string equalTics(const Chart& chart)
+{
+  /** Least number of tics along the longer axis. Definition: the numbers fit side by side. */
+  constexpr double kLeast = 4;
+  const Eigen::AlignedBox2d bounds = boundsOf(chart);
+  if (bounds.isEmpty() || !(bounds.sizes().maxCoeff() > 0)) return "";
+  const double spacing = roundNumber(bounds.sizes().maxCoeff() / kLeast);
+  std::ostringstream out = numberStream();
+  out << "set xtics " << spacing << "\nset ytics " << spacing << '\n';
+  return out.str();
+}
+
+/** The dashes of a curve whose colour was taken before: another pattern for each round of colours.
+ */
+std::string dashText(const ChartSeries& series, std::size_t painted)
+{
+  const std::size_t round = series.rgb ? 0 : painted / kPalette.size();
+  if (round == 0 || series.style == ChartSeries::Style::Points) return "";
+  return " dashtype " + std::to_string(round + 2);
+}
+
 std::string plotCommand(const Chart& chart)
 {
   std::string blocks, plots;
@@ -114,8 +149,10 @@ std::string plotCommand(const Chart& chart)
     const std::string block = "$series" + std::to_string(&s - chart.series.data());
     blocks += dataBlock(block, s, chart);
     plots += (plots.empty() ? "plot " : ", ") + block + " using 1:2 with " + styleText(s.style) +
-             colorText(s.rgb ? *s.rgb : kPalette[painted++ % kPalette.size()]) +
+             dashText(s, painted) +
+             colorText(s.rgb ? *s.rgb : kPalette[painted % kPalette.size()]) +
              (s.name.empty() ? " notitle" : " title " + gnuplotString(s.name));
+    if (!s.rgb) ++painted;
   }
   if (plots.empty()) return "set xrange [0.1:1]\nset yrange [0.1:1]\nplot NaN notitle\n";
   return blocks + plots + '\n';
@@ -175,8 +212,8 @@ std::string cellBlock(const HeatMap& map)
 std::string gnuplotCommands(const Chart& chart)
 {
   return titleCommands(chart.title, chart.xLabel, chart.yLabel) + axisCommands("x", chart.xRange) +
-         axisCommands("y", chart.yRange) + (chart.equalAspect ? kEqualAspect : kFreeAspect) +
-         plotCommand(chart);
+         axisCommands("y", chart.yRange) +
+         (chart.equalAspect ? kEqualAspect + equalTics(chart) : kFreeAspect) + plotCommand(chart);
 }
 
 std::string gnuplotCommands(const HeatMap& map)

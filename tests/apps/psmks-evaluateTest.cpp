@@ -213,8 +213,8 @@ TEST_F(PsmksEvaluate, DrawsPathsAndErrors)
   writeText("drive.relations", "1600000000 1600000002 2 0 0 0 0 0\n");
   const std::string estimate = "-e \"it's \\\"odd\\\".tum\" ";
   ASSERT_EQ(run(estimate + "-g truth.tum -r drive.relations --plot errors.svg").exitCode, 0);
-  EXPECT_TRUE(says(fileText(path("errors.svg")), {"<svg", "x [m]", "true path [m]", "error [deg]",
-                                                  "time spanned [s]", "ground truth", "odd"}));
+  EXPECT_TRUE(says(fileText(path("errors.svg")), {"<svg", "x, m", "true path, m", "error, deg",
+                                                  "time spanned, s", "ground truth", "odd"}));
   ASSERT_EQ(run(estimate + "-r drive.relations --plot errors.png").exitCode, 0);
   EXPECT_EQ(fileText(path("errors.png")).substr(1, 3), "PNG");
 }

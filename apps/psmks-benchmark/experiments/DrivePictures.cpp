@@ -13,6 +13,7 @@ constexpr double kCentimetre = 100;
 constexpr unsigned kWallColour = 0xb0b0b0;
 constexpr unsigned kTruthColour = 0x000000;
 constexpr unsigned kMapColour = 0x203080;
+constexpr unsigned kOdometryColour = 0x808080;  // one that no method has
 
 using Ends = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
 using ErrorOf = std::function<double(const Pose2& estimate, const Pose2& truth)>;
@@ -77,6 +78,7 @@ Chart pathChart(const Drive& drive, const std::vector<MethodRun>& runs)
   chart.series.push_back(wallsOf(drive.site.world));
   chart.series.push_back(pathOf("odometry", odometryPoses(drive.recording)));
   chart.series.back().style = ChartSeries::Style::DashedLine;
+  chart.series.back().rgb = kOdometryColour;
   for (const auto& run : runs) chart.series.push_back(pathOf(run.method.name, run.T_world_robot));
   chart.series.push_back(pathOf("truth", truePoses(drive.recording)));
   chart.series.back().style = ChartSeries::Style::ThinLine;
@@ -84,27 +86,21 @@ Chart pathChart(const Drive& drive, const std::vector<MethodRun>& runs)
   return chart;
 }
 
-/** The height of the chart is the largest error of the methods of psmks, so errors of odometry and
- * ICP may exceed it. */
+/** The errors on a logarithmic axis, so that those of odometry and of psmks are seen together. */
 Chart errorChart(const Drive& drive, const std::vector<MethodRun>& runs, const std::string& title,
                  const std::string& label, const ErrorOf& error)
 {
-  constexpr double kMargin = 1.05;
   const std::vector<Pose2> truth = truePoses(drive.recording);
   Chart chart;
   chart.title = title;
   chart.xLabel = "way, m";
   chart.yLabel = label;
+  chart.yRange.logarithmic = true;
   chart.series.push_back(errorsOf("odometry", odometryPoses(drive.recording), truth, error));
   chart.series.back().style = ChartSeries::Style::DashedLine;
-  double highest = 0;
+  chart.series.back().rgb = kOdometryColour;
   for (const auto& run : runs)
-  {
     chart.series.push_back(errorsOf(run.method.name, run.T_world_robot, truth, error));
-    if (run.method.matcher.rfind("psmks", 0) != 0) continue;
-    for (const auto& point : chart.series.back().points) highest = std::max(highest, point.y());
-  }
-  chart.yRange = {0, kMargin * highest};
   return chart;
 }
 

@@ -191,7 +191,7 @@ Chart chart(const std::string& title, const ExactPair& pair)
   const RaySearch rays(pair);
   Chart chart;
   chart.title = title;
-  chart.xLabel = "heading - true heading [deg]";
+  chart.xLabel = "heading - true heading, deg";
   chart.yLabel = "error / largest error";
   chart.yRange = {0, 1};
   chart.series = {scaled("every ray, absolute error", rays.absolute),

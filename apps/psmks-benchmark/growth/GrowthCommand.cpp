@@ -18,7 +18,7 @@ Chart growthChart(const std::vector<GrowthRun>& runs)
   Chart chart;
   chart.title = "Time of a match";
   chart.xLabel = "rays";
-  chart.yLabel = "median time [ms]";
+  chart.yLabel = "median time, ms";
   chart.xRange.logarithmic = chart.yRange.logarithmic = true;
   for (const auto& run : runs)
   {

@@ -29,6 +29,9 @@ int widthOfPng_px(const std::string& path)
   return width_px;
 }
 
+/** Width of a picture over that of its map. */
+constexpr double kWithMargins = 1.1;
+
 class MapPictureTest : public testing::Test
 {
  protected:
@@ -39,11 +42,12 @@ class MapPictureTest : public testing::Test
 TEST_F(MapPictureTest, TwoCentimetresAPixelButNeitherTooFewNorTooManyPixels)
 {
   ASSERT_TRUE(saveMapPicture(wallMap(40), "title", path_));
-  EXPECT_NEAR(widthOfPng_px(path_), (40 + 2) / 0.02, 10);  // a margin of 1 m on either side
+  // 1 m of the world on either side of the wall, and the margin for the numbers
+  EXPECT_NEAR(widthOfPng_px(path_), (40 + 2) / 0.02 * kWithMargins, 0.05 * 2100);
   ASSERT_TRUE(saveMapPicture(wallMap(8), "title", path_));
-  EXPECT_NEAR(widthOfPng_px(path_), 1200, 2);
+  EXPECT_NEAR(widthOfPng_px(path_), 1200 * kWithMargins, 0.05 * 1200);
   ASSERT_TRUE(saveMapPicture(wallMap(4000), "title", path_));
-  EXPECT_NEAR(widthOfPng_px(path_), 4000, 2);
+  EXPECT_NEAR(widthOfPng_px(path_), 4000 * kWithMargins, 0.05 * 4000);
 }
 
 TEST_F(MapPictureTest, AnEmptyMapAndAFolderThatIsMissingGiveNoPicture)
