@@ -1,5 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <apps/psmks-slam/CommandLine.h>
+#include <apps/psmks-slam/OutputFolder.h>
 #include <psmks/matchers/PairMatcher.h>
 
 #include <CLI/CLI.hpp>
@@ -14,8 +15,16 @@ constexpr const char* kDescription =
     "Every scan gets a pose; where a match fails, odometry carries on.";
 
 constexpr const char* kFooter =
-    "Writes trajectory.tum, odometry.tum, matches.csv, segments.csv, map.png, map.3Dscene,\n"
-    "map.simplemap and summary.json.\n\n"
+    "Writes summary.json and, unless --outputs chooses, all of\n"
+    "  trajectory  trajectory.tum, odometry.tum: the pose of the robot at every scan\n"
+    "  matches     matches.csv: every match, with its covariance\n"
+    "  graph       graph.g2o: keyframes and the links between them, for g2o, gtsam, graph-slam\n"
+    "  grid        map.pgm, map.yaml: occupancy grid, for nav2, map_server, amcl\n"
+    "  segments    segments.csv: the line segments of the map\n"
+    "  svg         map.svg: the segments as a drawing\n"
+    "  picture     map.png: the map as a picture\n"
+    "  scene       map.3Dscene: the map for MRPT's viewer\n"
+    "  simplemap   map.simplemap: the keyframes for MRPT's programs\n\n"
     "Exit codes: 0 ok; 1 usage or configuration; 2 input missing or damaged (what was read before\n"
     "the damage is saved); 3 no usable scan or odometry; 4 every match failed; 5 an output cannot\n"
     "be written (the others are); 128 + N stopped by signal N (what was done before it is saved).";
@@ -31,7 +40,7 @@ std::vector<std::string> matcherNames()
 
 void addFlags(CLI::App& app, CommandLine& c)
 {
-  app.add_option("LOG", c.log, "MRPT rawlog or CARMEN log, compressed or not");
+  app.add_option("LOG", c.log, "MRPT rawlog or CARMEN log, compressed or not, or ROS 1 bag");
   app.add_option("--sensor-file", c.sensorFile,
                  "options that describe the scanner, see config/sensors; --config overrides them")
       ->type_name("INI");
@@ -47,6 +56,12 @@ void addFlags(CLI::App& app, CommandLine& c)
   app.add_option("-o,--output", c.output, "folder for the results; default: the log's name + -slam")
       ->type_name("DIR");
   app.add_flag("-w,--overwrite", c.overwrite, "replace results that are there");
+  app.add_option("--outputs", c.outputs, "results to write, see below; default: all")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->check(CLI::IsMember(outputNames()))
+      ->allow_extra_args(false);
+  app.add_flag("--no-picture", c.noPicture, "do not draw map.png, which takes longest");
   app.add_option("--ground-truth", c.groundTruth,
                  "true trajectory: TUM, or lines of 'time x y phi'")
       ->type_name("FILE");
@@ -54,6 +69,9 @@ void addFlags(CLI::App& app, CommandLine& c)
                  "true motions: lines of 'from_s to_s x y z roll pitch yaw'")
       ->type_name("FILE");
   app.add_option("--save-rawlog", c.rawlog, "the log with matched motions in place of odometry")
+      ->type_name("FILE");
+  app.add_option("--save-g2o", c.graph,
+                 "the graph of keyframes in the format of g2o, under a name of its own")
       ->type_name("FILE");
   app.add_option("--max-scans", c.maxScans, "stop after so many scans")
       ->type_name("N")
@@ -67,9 +85,13 @@ void addFlags(CLI::App& app, CommandLine& c)
   app.add_flag("-v,--verbose", c.verbose, "report every match on stderr");
 }
 
-void check(const CommandLine& commandLine)
+void check(CommandLine& commandLine)
 {
   if (commandLine.log.empty() && !commandLine.onlyPrints()) throw CLI::RequiredError("LOG");
+  auto& outputs = commandLine.outputs;
+  if (outputs.empty()) outputs = outputNames();
+  if (commandLine.noPicture)
+    outputs.erase(std::remove(outputs.begin(), outputs.end(), "picture"), outputs.end());
 }
 }  // namespace
 

@@ -23,9 +23,12 @@ struct CommandLine
   std::string groundTruth;
   std::string relations;
   std::string rawlog;
+  std::string graph;                     //!< file for the graph in the format of g2o
+  std::vector<std::string> outputs;      //!< of outputNames()
   std::vector<std::string> assignments;  //!< "stage.key=value"
   int maxScans = 0;                      //!< 0: all
   bool overwrite = false;
+  bool noPicture = false;
   bool view = false;
   bool printConfig = false;
   bool printOptions = false;

@@ -23,7 +23,7 @@ std::string outputPath(const CommandLine& commandLine)
 {
   if (!commandLine.output.empty()) return commandLine.output;
   std::string name = std::filesystem::path(commandLine.log).filename().string();
-  for (const char* extension : {".gz", ".rawlog", ".log", ".clf"})
+  for (const char* extension : {".gz", ".rawlog", ".log", ".clf", ".bag"})
   {
     const std::string ending(extension);
     if (name.size() > ending.size() &&
@@ -37,7 +37,8 @@ std::string outputPath(const CommandLine& commandLine)
 const CommandLine& checked(const CommandLine& commandLine)
 {
   if (commandLine.view) requireDisplay();
-  if (!commandLine.rawlog.empty()) requireReplaceable(commandLine.rawlog, commandLine.overwrite);
+  for (const auto* file : {&commandLine.rawlog, &commandLine.graph})
+    if (!file->empty()) requireReplaceable(*file, commandLine.overwrite);
   return commandLine;
 }
 
@@ -86,7 +87,7 @@ ExitCode Slam::run()
 
   const RunSummary summary = writeResults();
   printSummary(std::cout, summary);
-  std::cout << "map              " << output_.file("map.png") << '\n';
+  std::cout << "results          " << output_.path() << '\n';
   if (commandLine_.view && !isToStop())
     showMap(makeScanMap(builder_.scans(), options_.matching.matcher));
   return exitCodeOfRun(summary);
@@ -97,14 +98,30 @@ RunSummary Slam::writeResults()
   RunSummary summary{trajectorySummary(), std::nullopt, remarks(), {}};
   if (!relations_.empty())
     summary.relations = relationStatistics(trajectoryOf(builder_.scans()), relations_);
-  const ScanMap map = makeScanMap(builder_.scans(), options_.matching.matcher);
-  output_.write(builder_.scans(), map, simpleMap(), commandLine_.matcher);
-  if (rawlog_)
-    output_.outputs().note(commandLine_.rawlog, rawlog_->close() && rawlogFile_->moveIntoPlace());
+  RunResults results = runResults();
+  writeFiles(results);
   times_.output_s += watch_.lap_s();
   summary.times = times_;
   output_.writeSummary(summary, options_);
   return summary;
+}
+
+RunResults Slam::runResults() const
+{
+  const std::string log = std::filesystem::path(commandLine_.log).filename().string();
+  return {builder_.scans(), builder_.map(), options_.matching.matcher, simpleMap(),
+          log + ", matcher " + commandLine_.matcher};
+}
+
+void Slam::writeFiles(RunResults& results)
+{
+  Progress progress("psmks-slam, writing");
+  output_.write(results, commandLine_.outputs, [&progress](double share) { progress.show(share); });
+  if (!commandLine_.graph.empty())
+    output_.outputs().addText(commandLine_.graph,
+                              [this](std::ostream& out) { writeGraph(out, builder_.map()); });
+  if (rawlog_)
+    output_.outputs().note(commandLine_.rawlog, rawlog_->close() && rawlogFile_->moveIntoPlace());
 }
 
 void Slam::buildTrajectory()

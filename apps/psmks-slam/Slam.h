@@ -42,6 +42,8 @@ class Slam
   LogSummary logSummary() const;
   Summary trajectorySummary() const;
   RunSummary writeResults();
+  RunResults runResults() const;
+  void writeFiles(RunResults& results);
   void divideBuildingTime();
   void requireScans() const;
   ExitCode exitCodeOfRun(const RunSummary& summary);

@@ -18,6 +18,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMsPerSecond = 1e3;
 
+double toMm(double x_m)
+{
+  constexpr double kMmPerMetre = 1e3;
+  return kMmPerMetre * x_m;
+}
+
 std::string listed(const std::map<std::string, std::size_t>& counts)
 {
   std::string text;
@@ -28,10 +34,18 @@ std::string listed(const std::map<std::string, std::size_t>& counts)
 
 Json numberOrNull(double value) { return std::isnan(value) ? Json() : Json(value); }
 
+/** An option as what it is: a number, true or false, or a text. */
+Json valueJson(const std::string& text)
+{
+  Json value = Json::parse(text, nullptr, false);
+  return value.is_number() || value.is_boolean() ? value : Json(text);
+}
+
 Json optionsJson(SlamOptions& options)
 {
   Json json;
-  for (const auto& field : options.fields()) json[field.section][field.key] = field.get();
+  for (const auto& field : options.fields())
+    json[field.section][field.key] = valueJson(field.get());
   return json;
 }
 
@@ -98,8 +112,9 @@ Json jumpsJson(const std::vector<OdometryJump>& jumps)
 
 void printErrors(std::ostream& out, const TrajectoryError& e)
 {
-  out << "position error   mean " << e.mean_m << " m, rms " << e.rms_m << " m, max " << e.max_m
-      << " m at " << e.poses << " poses\n";
+  out << std::setprecision(1) << "position error   mean " << toMm(e.mean_m) << " mm, rms "
+      << toMm(e.rms_m) << " mm, max " << toMm(e.max_m) << " mm at " << e.poses << " poses\n"
+      << std::setprecision(3);
   if (std::isnan(e.mean_rad)) return;
   out << "heading error    mean " << radToDeg(e.mean_rad) << " deg, rms " << radToDeg(e.rms_rad)
       << " deg, max " << radToDeg(e.max_rad) << " deg\n";
@@ -107,9 +122,10 @@ void printErrors(std::ostream& out, const TrajectoryError& e)
 
 void printErrors(std::ostream& out, const std::string& heading, const PairErrorStatistics& s)
 {
-  out << heading << std::setprecision(4) << s.translation_m.mean << " +- " << s.translation_m.std
-      << " m, " << std::setprecision(3) << radToDeg(s.rotation_rad.mean) << " +- "
-      << radToDeg(s.rotation_rad.std) << " deg over " << s.count << '\n';
+  out << heading << std::setprecision(1) << toMm(s.translation_m.mean) << " +- "
+      << toMm(s.translation_m.std) << " mm, " << std::setprecision(3)
+      << radToDeg(s.rotation_rad.mean) << " +- " << radToDeg(s.rotation_rad.std) << " deg over "
+      << s.count << '\n';
 }
 
 void printTimes(std::ostream& out, const RunSummary& run)

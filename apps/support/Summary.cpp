@@ -16,6 +16,27 @@ std::size_t occupiedCells(const std::vector<PosedScan>& scans)
   return cells.count();
 }
 
+/** The length of the way from place to place, each the first that is far enough from the one
+ * before.
+ */
+double pathLength_m(const std::vector<PosedScan>& scans)
+{
+  /** Least distance of two places. Unit: m. Definition: more than the scatter of the matches of a
+   * robot that stands. */
+  constexpr double kFarEnough_m = 0.1;
+  double length_m = 0;
+  Eigen::Vector2d last_m = Eigen::Vector2d::Zero();  // where the first scan was
+  for (const auto& scan : scans)
+  {
+    const Eigen::Vector2d here_m = scan.T_world_robot.pose.translation();
+    const double step_m = (here_m - last_m).norm();
+    if (step_m < kFarEnough_m) continue;
+    length_m += step_m;
+    last_m = here_m;
+  }
+  return length_m;
+}
+
 void addTimes(const std::vector<PosedScan>& scans, Summary& summary)
 {
   std::vector<double> match_s, segmentation_s;
@@ -56,13 +77,13 @@ Summary summarise(const std::vector<PosedScan>& scans, const std::optional<Traje
   for (const auto& scan : scans)
   {
     summary.references += scan.isReference;
-    summary.pathLength_m += scan.T_last_robot.pose.translation().norm();
     summary.unmatched += !scan.isMatched();
     summary.matches += scan.matches.size();
     for (const ReferenceMatch& match : scan.matches)
       ++(match.result.usable() ? summary.usable : summary.failed)[toString(match.result.status)];
   }
   if (!scans.empty()) --summary.unmatched;
+  summary.pathLength_m = pathLength_m(scans);
   addTimes(scans, summary);
   summary.occupiedCells = occupiedCells(scans);
   summary.odometryJumps = odometryJumps(scans);

@@ -34,7 +34,7 @@ struct Summary
   std::size_t matches = 0;    //!< number of matches tried
   std::size_t unmatched = 0;  //!< scans after the first without a usable match
   std::map<std::string, std::size_t> usable, failed;  //!< number of matches by status
-  double pathLength_m = 0;
+  double pathLength_m = 0;  //!< of the way driven; steps below 0.1 m count together
   double matchMedian_s, matchP95_s;
   double segmentationMedian_s;
   std::size_t occupiedCells = 0;

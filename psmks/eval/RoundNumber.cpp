@@ -2,6 +2,7 @@
 #include <psmks/eval/RoundNumber.h>
 
 #include <cmath>
+#include <initializer_list>
 
 namespace psmks
 {

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <psmks/slam/MapServerFiles.h>
 
+#include <iomanip>
 #include <ostream>
 
 namespace psmks
@@ -32,9 +33,12 @@ void writeMapServerPicture(std::ostream& out, const OccupancyGrid& grid)
 void writeMapServerYaml(std::ostream& out, const OccupancyGrid& grid,
                         const std::string& pictureFile)
 {
+  /** Digits of lengths in m. Definition: below a micrometre in a world of kilometres. */
+  constexpr int kDigits = 10;
   const UniformGrid& frame = grid.frame();
-  out << "image: " << pictureFile << "\nmode: trinary\nresolution: " << frame.cell_m()
-      << "\norigin: [" << frame.low_m().x() << ", " << frame.low_m().y()
+  out << std::setprecision(kDigits) << "image: " << pictureFile
+      << "\nmode: trinary\nresolution: " << frame.cell_m() << "\norigin: [" << frame.low_m().x()
+      << ", " << frame.low_m().y()
       << ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
 }
 }  // namespace psmks

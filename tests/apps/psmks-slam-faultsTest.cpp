@@ -22,7 +22,8 @@ using namespace test;
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const char* const kResults[] = {"trajectory.tum", "odometry.tum", "matches.csv",   "segments.csv",
+const char* const kResults[] = {"trajectory.tum", "odometry.tum", "matches.csv",   "graph.g2o",
+                                "map.pgm",        "map.yaml",     "segments.csv",  "map.svg",
                                 "map.png",        "map.3Dscene",  "map.simplemap", "summary.json"};
 
 /** Faults of the machine that psmks-slam runs on. */

@@ -22,7 +22,8 @@ using nlohmann::json;
 constexpr int kScans = 8;
 constexpr const char* kSena =
     "/usr/share/mrpt/datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog";
-const char* const kResults[] = {"trajectory.tum", "odometry.tum", "matches.csv",   "segments.csv",
+const char* const kResults[] = {"trajectory.tum", "odometry.tum", "matches.csv",   "graph.g2o",
+                                "map.pgm",        "map.yaml",     "segments.csv",  "map.svg",
                                 "map.png",        "map.3Dscene",  "map.simplemap", "summary.json"};
 
 std::string quoted(const std::string& path) { return "'" + path + "'"; }

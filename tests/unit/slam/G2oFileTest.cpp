@@ -126,7 +126,8 @@ TEST(G2oFile, ItsSquaresAreTheWeightedOnesOfTheGraph)
     squares += graph.weight(link) * e.dot(link.information * e);
   }
   EXPECT_GT(squares, 1) << "the links contradict each other";
-  EXPECT_NEAR(written(graph).squares(), squares, 1e-6 * squares);
+  EXPECT_NEAR(written(graph).squares(), squares, 1e-4)
+      << "what makes the matrices invertible adds little";
 }
 
 TEST(G2oFile, ThePosesOfTheGraphAreAMinimumOfTheSquares)
