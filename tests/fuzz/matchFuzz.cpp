@@ -3,6 +3,8 @@
 #include <psmks/core/Matcher.h>
 #include <psmks/geometry/Covariance.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
