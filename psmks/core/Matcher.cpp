@@ -32,9 +32,17 @@ bool needsExternalSolvers(const MatcherOptions& options)
          options.joint.solver == JointSolver::Ceres;
 }
 
+/** Whether a guess is a place that single precision can compute with. */
+bool isPlace(const Pose2& pose)
+{
+  /** Farthest place. Definition: its square, and that of what is near it, is a float. */
+  constexpr double kFarthest_m = 1e15;
+  return pose.isFinite() && pose.translation().norm() < kFarthest_m;
+}
+
 bool isUsable(const Guess& guess)
 {
-  return guess.T_ref_cur.isFinite() && (!guess.covariance || isCovariance(*guess.covariance));
+  return isPlace(guess.T_ref_cur) && (!guess.covariance || isCovariance(*guess.covariance));
 }
 }  // namespace
 

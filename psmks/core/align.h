@@ -27,7 +27,8 @@
  *  - Bad data never throws. A failure is told by MatchResult::usable() and its `status`; the pose
  *    is then the guess, or the identity where the guess is not finite. The status is InvalidInput
  *    for a scan without a return, for a scan whose number of ranges is not the number of rays of
- *    its grid, and for a guess that is not finite or whose covariance is not positive definite.
+ *    its grid, and for a guess that is not finite, farther than 1e15 m, or whose covariance is not
+ *    positive definite.
  *  - Options that cannot be accepted throw an OptionError, as the constructor of Matcher does.
  *    Ceres is not available here.
  *  - A call makes a Matcher and its buffers and drops both, so it may run in any number of threads

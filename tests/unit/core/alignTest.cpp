@@ -163,6 +163,13 @@ TEST(Align, KeepsTheGuessWhereThereIsNothingAtAll)
   expectInvalidInput(align(Ranges(), Ranges(), BeamGrid()), {});
 }
 
+TEST(Align, AGuessBeyondSinglePrecisionIsInvalidInput)
+{
+  const Ranges room_m = lShapedRoomFrom({});
+  for (const double far_m : {1e16, -1e30, 1e300})
+    expectInvalidInput(align(room_m, room_m, kGrid, {{far_m, 0, 0}, {}}), {{far_m, 0, 0}, {}});
+}
+
 TEST(Align, RefusesOptionsThatItCannotServe)
 {
   MatcherOptions options;
