@@ -10,7 +10,7 @@ namespace psmks
 LogScan toLogScan(const LaserFrame& frame, ScanConverter& converter,
                   const ScanMatcherOptions& options)
 {
-  MountedScan mounted = toMountedScan(*frame.scan, converter, options, frame.beamTurn_s);
+  MountedScan mounted = toMountedScan(*frame.scan, converter, options, frame.beam);
   mounted.scan.stamp_s = frame.stamp_s;
   return {std::move(mounted.scan), mounted.T_robot_sensor, frame.odometry};
 }

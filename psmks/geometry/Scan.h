@@ -21,8 +21,12 @@ struct Scan
   double maxRange_m = 0;       //!< readings at or beyond it are taken for no return; 0 = no limit
   double rangeSigma_m = 0;     //!< standard deviation of a range; 0 = unknown
   double stamp_s = 0;          //!< time of the first ray, seconds since the epoch
-  double sweepDuration_s = 0;  //!< time from the first to the last ray, negative if the last one
-                               //!< was measured first; 0 = simultaneous or unknown
+  double sweepDuration_s = 0;  //!< time in which the beam passes from the first to the last ray,
+                               //!< negative if it comes to the last one first; 0 = simultaneous or
+                               //!< unknown
+  int interleavedTurns = 1;  //!< turns of the beam that took the scan: each takes every so many-th
+                             //!< ray, the first turn the ray that the beam comes to first
+  double turn_s = 0;         //!< time from turn to turn; 0 = unknown
 };
 
 /** Whether a ray met something, by what the scan itself says of it.

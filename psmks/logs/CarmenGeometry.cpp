@@ -78,6 +78,12 @@ bool isUrg(const CarmenScanner& scanner)
   return scanner.increment_rad && std::abs(*scanner.increment_rad / kStep_rad - 1) < kRounding;
 }
 
+/** Whether the field of view is wider than the half circle and an increment. */
+bool isBeyondHalfCircle(const CarmenScanner& scanner)
+{
+  return scanner.fieldOfView_rad.value_or(0) > kHalfCircle_rad + scanner.increment_rad.value_or(0);
+}
+
 double spread_rad(double fieldOfView_rad, int rays)
 {
   const double increment_rad = fieldOfView_rad / CarmenGeometry::stepsOf(rays);
@@ -141,14 +147,16 @@ double CarmenGeometry::maxRange_m(const CarmenScanner& stated) const
   return noReturn_.isCode() ? std::min(*statedMaxRange_m, read_m) : *statedMaxRange_m;
 }
 
-double CarmenGeometry::beamTurn_s(const std::optional<CarmenScanner>& stated)
+BeamTiming CarmenGeometry::beam(const std::optional<CarmenScanner>& stated)
 {
   constexpr int kSickLms = 0, kSickPls = 1;
-  constexpr double kLmsTurn_s = 1.0 / 75, kPlsTurn_s = 1.0 / 25, kUrgTurn_s = 0.1;
-  if (!stated) return kLmsTurn_s;
-  if (isUrg(*stated)) return kUrgTurn_s;
+  constexpr double kPlsTurn_s = 1.0 / 25, kUrgTurn_s = 0.1;
+  constexpr BeamTiming kLms{1.0 / 75, degToRad(1)};
+  if (!stated) return kLms;
+  if (isUrg(*stated)) return {kUrgTurn_s, 0};
   const int type = stated->type.value_or(-1);
-  return type == kSickLms ? kLmsTurn_s : type == kSickPls ? kPlsTurn_s : 0;
+  if (type == kSickPls) return {kPlsTurn_s, 0};
+  return type == kSickLms && !isBeyondHalfCircle(*stated) ? kLms : BeamTiming{};
 }
 
 bool CarmenGeometry::isGuessed(const CarmenScanner& stated, int rays) const

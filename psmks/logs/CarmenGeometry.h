@@ -2,6 +2,7 @@
 #pragma once
 
 #include <psmks/geometry/BeamGrid.h>
+#include <psmks/geometry/BeamTiming.h>
 #include <psmks/logs/CarmenMessage.h>
 #include <psmks/logs/CarmenOptions.h>
 #include <psmks/logs/CarmenSurvey.h>
@@ -40,13 +41,14 @@ class CarmenGeometry
   /** The range at or beyond which readings are no returns. */
   double maxRange_m(const CarmenScanner& stated) const;
 
-  /** The time of one turn of the beam. It is known for the SICK LMS (75 turns a second), for which
-   * the messages without a description of the scanner were made, for the SICK PLS (25 turns a
-   * second), and for the Hokuyo URG (10 turns a second), which is known by its 1024 steps a turn,
-   * for converters of logs leave the type of the scanner at its default; 0 for others.
+  /** When the rays are cast. It is known for the SICK LMS (75 turns a second, in each of which it
+   * casts a ray every degree), for which the messages without a description of the scanner were
+   * made, for the SICK PLS (25 turns a second), and for the Hokuyo URG (10 turns a second), which
+   * is known by its 1024 steps a turn, for converters of logs leave the type of the scanner at its
+   * default; a time of 0 for others. A field of view beyond the half circle is none of an LMS.
    * Sources: SICK, technical descriptions LMS 200 / 211 / 221 / 291 and PLS 101; Hokuyo,
    * specification URG-04LX. */
-  static double beamTurn_s(const std::optional<CarmenScanner>& stated);
+  static BeamTiming beam(const std::optional<CarmenScanner>& stated);
 
   /** Whether the bearings of the rays follow from their number alone. */
   bool isGuessed(const CarmenScanner& stated, int rays) const;

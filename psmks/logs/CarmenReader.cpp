@@ -123,7 +123,7 @@ bool CarmenReader::takeScan(LaserFrame& frame)
   frame.scan = scan;
   frame.stamp_s = stamp_s;
   frame.odometry = odometryUntil(stamp_s);
-  if (stated_s) frame.beamTurn_s = CarmenGeometry::beamTurn_s(message_.scanner);
+  if (stated_s) frame.beam = CarmenGeometry::beam(message_.scanner);
   frame.observations = observations_;
   observations_.clear();
   lastStamp_s_ = stamp_s;

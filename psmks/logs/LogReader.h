@@ -3,6 +3,7 @@
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CSensoryFrame.h>
+#include <psmks/geometry/BeamTiming.h>
 #include <psmks/geometry/Pose2.h>
 
 #include <map>
@@ -26,8 +27,8 @@ struct LaserFrame
    */
   std::optional<Pose2> odometry;
 
-  /** The time of one turn of the scanner's beam; 0 if it is unknown. */
-  double beamTurn_s = 0;
+  /** When the scanner casts its rays; a time of 0 if it is unknown. */
+  BeamTiming beam;
 
   /** All observations since the frame before, including this scan and without odometry. */
   mrpt::obs::CSensoryFrame observations;

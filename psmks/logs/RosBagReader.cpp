@@ -130,7 +130,7 @@ bool RosBagReader::next(LaserFrame& frame)
   frame.scan = observation(scan);
   frame.stamp_s = scan.stamp_s;
   frame.odometry = motionUntil(scan.stamp_s);
-  frame.beamTurn_s = 2 * kPi / std::abs(scan.increment_rad) * scan.timeIncrement_s;
+  frame.beam.turn_s = 2 * kPi / std::abs(scan.increment_rad) * scan.timeIncrement_s;
   frame.observations.insert(frame.scan);
   return true;
 }

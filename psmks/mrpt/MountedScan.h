@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <psmks/geometry/BeamTiming.h>
 #include <psmks/geometry/Pose2.h>
 #include <psmks/geometry/Scan.h>
 #include <psmks/mrpt/Convert.h>
@@ -16,15 +17,14 @@ struct MountedScan
   Pose2 T_robot_sensor;
 };
 
-/** Turns an observation into a scan as ScanConverter does, and states how long the sweep took.
+/** Turns an observation into a scan as ScanConverter does, and states when its rays were cast.
  *
  *  @param converter of this scanner
  *  @param options of the mounting: a scan that is tilted by more than `maxTilt_rad` has no valid
- *  ray; `beamTurn_s` is the time in which the beam goes once round, negative where that is against
- *  the order of the observation's rays
- *  @param knownBeamTurn_s the same from elsewhere, used where the options do not state it; 0 =
- *  unknown */
+ *  ray; `beam` states when the rays are cast, its time of a turn being negative where the beam
+ * passes the rays of the observation from the last to the first
+ *  @param known the same from elsewhere, used where the options do not state the time of a turn */
 MountedScan toMountedScan(const mrpt::obs::CObservation2DRangeScan& observation,
                           ScanConverter& converter, const ScanMatcherOptions& options,
-                          double knownBeamTurn_s = 0);
+                          const BeamTiming& known = {});
 }  // namespace psmks

@@ -16,10 +16,14 @@ OptionTable optionTable(ScanMatcherOptions& options)
   table.add("max_tilt_deg", options.maxTilt_rad, Unit::Degree, 0, degToRad(45),
             "scans tilted further out of the horizontal plane are not matched");
   table.add(
-      "beam_turn_s", options.beamTurn_s, Unit::Second, -10, 10,
+      "beam_turn_s", options.beam.turn_s, Unit::Second, -10, 10,
       "time in which the beam goes once round, negative where that is against the order of the "
-      "rays: what the robot turns meanwhile is taken out of a log's scans; 0: as the log states, "
+      "rays: what the robot moves meanwhile is taken out of a log's scans; 0: as the log states, "
       "else unknown");
+  table.add(
+      "turn_increment_deg", options.beam.turnIncrement_rad, Unit::Degree, 0, degToRad(360),
+      "angle between the rays of one turn of the beam: scans with rays closer to each other are "
+      "taken in several turns, which interleave; 0: in one turn; used where beam_turn_s is set");
   return table;
 }
 

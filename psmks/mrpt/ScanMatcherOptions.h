@@ -3,6 +3,7 @@
 
 #include <mrpt/config/CLoadableOptions.h>
 #include <psmks/core/MatcherOptions.h>
+#include <psmks/geometry/BeamTiming.h>
 #include <psmks/mrpt/PolarView.h>
 
 #include <iosfwd>
@@ -23,12 +24,11 @@ struct ScanMatcherOptions : public mrpt::config::CLoadableOptions
   /** A scan whose scanner is tilted further out of the horizontal plane is not matched. */
   double maxTilt_rad = degToRad(5);
 
-  /** Time of one revolution of the scanner's beam. The sign is the sense: negative where the beam
-   *  passes the rays from the last to the first. 0 = as the log states, else unknown. A robot that
-   *  turns while the beam sweeps distorts the scan, see straightenSweep(). Used by toMountedScan(),
-   *  that is by ObservationSlam and by the programs that read logs; ScanMatcher, which knows no
-   *  motion, does not use it. */
-  double beamTurn_s = 0;
+  /** When the scanner casts its rays; a time of 0 = as the log states, else unknown. A robot that
+   *  moves while the beam sweeps distorts the scan, see Deskewer. Used by toMountedScan(), that is
+   *  by ObservationSlam and by the programs that read logs; ScanMatcher, which knows no motion,
+   * does not use it. */
+  BeamTiming beam;
 
   /** Reads the options that the file names; the others keep their values.
    *  @throws OptionError as loadOptions() of ConfigFile.h does; nothing is changed then */

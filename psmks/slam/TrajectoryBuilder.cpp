@@ -38,7 +38,7 @@ const PosedScan& TrajectoryBuilder::add(Scan scan, const Pose2& T_robot_sensor,
   const bool isFirst = scans_.empty();
   const UncertainPose predicted = motionBy(odometry, scan.stamp_s);
   const UncertainPose motion = isFirst ? UncertainPose() : predicted;
-  straighten(scan, motion);
+  deskewer_.deskew(scan, T_robot_sensor, motion);
   append(std::move(scan), T_robot_sensor, odometry, motion);
   if (isFirst)
   {
@@ -77,13 +77,6 @@ void TrajectoryBuilder::learnMotion(const UncertainPose& predicted)
   if (isMotionMeasured_) odometryQuality_.learn(predicted, measured);
   const MatchResult& result = current().decidingMatch()->result;
   if (!result.guessGivenUp && !result.contradictsGuess()) steadyMotion_.learn(measured);
-}
-
-/** The motion that led to a scan tells how the robot turned while the scanner swept. */
-void TrajectoryBuilder::straighten(Scan& scan, const UncertainPose& motion)
-{
-  turnRate_.add(scan.stamp_s, motion.pose.phi_rad);
-  straightenSweep(scan, turnRate_.rate_rad_s());
 }
 
 /** Adds the scan as the current one, where the motion alone puts it. */

@@ -4,8 +4,8 @@
 #include <psmks/matchers/PairMatcher.h>
 #include <psmks/motion/OdometryNoise.h>
 #include <psmks/motion/OdometryQuality.h>
+#include <psmks/motion/SequenceDeskewer.h>
 #include <psmks/motion/SteadyMotion.h>
-#include <psmks/motion/Sweep.h>
 #include <psmks/slam/KeyframeMap.h>
 #include <psmks/slam/LoopSearch.h>
 #include <psmks/slam/PosedScan.h>
@@ -25,8 +25,8 @@ namespace psmks
  * Each scan passes these steps:
  *
  * 1. Predict: the motion since the scan before is that of the odometry, or without odometry the
- *    last motion that scans measured, going on (SteadyMotion). It straightens the sweep of the
- * scan.
+ *    last motion that scans measured, going on (SteadyMotion). It deskews
+ *    the scan (SequenceDeskewer).
  * 2. Choose the reference: with a map the nearest keyframe that saw enough of the scan, else the
  *    one that stands.
  * 3. Match against the reference, with the prediction and its covariance as a prior. Where that
@@ -85,7 +85,6 @@ class TrajectoryBuilder
 
   UncertainPose motionBy(const std::optional<Pose2>& odometry, double stamp_s);
   void learnMotion(const UncertainPose& predicted);
-  void straighten(Scan& scan, const UncertainPose& motion);
   void append(Scan scan, const Pose2& T_robot_sensor, const std::optional<Pose2>& odometry,
               const UncertainPose& motion);
   void chooseKeyframe();
@@ -107,7 +106,7 @@ class TrajectoryBuilder
   SteadyMotion steadyMotion_;
   OdometryQuality odometryQuality_;
   bool isMotionMeasured_ = false;  //!< whether odometry tells the motion to the current scan
-  TurnRate turnRate_;
+  SequenceDeskewer deskewer_;
   std::vector<PosedScan> scans_;
   std::size_t reference_ = 0;
   UncertainPose T_ref_last_;  //!< robot at the last scan, seen from the robot at the reference: by

@@ -171,19 +171,21 @@ TEST(SensorFiles, HoldWhatTheirTableSays)
   struct Scanner
   {
     std::string file;
-    double minRange_m, maxRange_m, sigma_m, sigmaPerMetre_m, beamTurn_s;
+    double minRange_m, maxRange_m, sigma_m, sigmaPerMetre_m;
+    BeamTiming beam;
   };
-  const std::vector<Scanner> scanners = {{"sick-lms200", 0, 0, 0.01, 0, 0.0133333},
-                                         {"sick-lms1xx", 0.5, 20, 0.012, 0, 0.02},
-                                         {"sick-tim5xx", 0.05, 10, 0.02, 0, 0.0666667},
-                                         {"hokuyo-urg-04lx", 0.06, 5.6, 0.008, 0.003, 0.1},
-                                         {"hokuyo-utm-30lx", 0.1, 30, 0.01, 0.001, 0.025},
-                                         {"slamtec-rplidar-a", 0.15, 12, 0.008, 0.002, 0.1}};
+  const std::vector<Scanner> scanners = {{"sick-lms200", 0, 0, 0.01, 0, {0.0133333, degToRad(1)}},
+                                         {"sick-lms1xx", 0.5, 20, 0.012, 0, {0.02, 0}},
+                                         {"sick-tim5xx", 0.05, 10, 0.02, 0, {0.0666667, 0}},
+                                         {"hokuyo-urg-04lx", 0.06, 5.6, 0.008, 0.003, {0.1, 0}},
+                                         {"hokuyo-utm-30lx", 0.1, 30, 0.01, 0.001, {0.025, 0}},
+                                         {"slamtec-rplidar-a", 0.15, 12, 0.008, 0.002, {0.1, 0}}};
   for (const Scanner& scanner : scanners)
   {
     const ScanMatcherOptions all = loaded("config/sensors/" + scanner.file + ".ini");
     const MatcherOptions& options = all.matcher;
-    EXPECT_EQ(all.beamTurn_s, scanner.beamTurn_s) << scanner.file;
+    EXPECT_EQ(all.beam.turn_s, scanner.beam.turn_s) << scanner.file;
+    EXPECT_EQ(all.beam.turnIncrement_rad, scanner.beam.turnIncrement_rad) << scanner.file;
     EXPECT_EQ(options.preprocessing.minRange_m, scanner.minRange_m) << scanner.file;
     EXPECT_EQ(options.preprocessing.maxRange_m, scanner.maxRange_m) << scanner.file;
     EXPECT_EQ(options.segmentation.rangeSigma_m, scanner.sigma_m) << scanner.file;

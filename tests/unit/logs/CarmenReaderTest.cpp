@@ -138,21 +138,34 @@ TEST_F(CarmenReaderTest, AFieldOfViewThatNothingStatesIsRemarkedOn)
 // Converters write 0, SICK LMS, for any scanner; 1024 steps a turn are those of a URG alone.
 TEST_F(CarmenReaderTest, TheTurnOfTheBeamIsThatOfTheScannerByItsStep)
 {
-  const auto beamTurn_s = [&](const std::string& typeAndStep)
+  const auto beamOf = [&](const std::string& typeAndStep)
   {
     const auto space = typeAndStep.find(' ');
     const auto frames = framesOf("ROBOTLASER1 " + typeAndStep.substr(0, space) + " -0.01 0.02" +
                                  typeAndStep.substr(space) +
                                  " 5.6 0.01 0 3 1 1 1 0 0 0 0 0 0 0 0 0 0 0 0 1 host 1\n");
     EXPECT_EQ(frames.size(), 1u);
-    return frames.empty() ? -1 : frames[0].beamTurn_s;
+    return frames.empty() ? BeamTiming{-1, 0} : frames[0].beam;
   };
+  const auto beamTurn_s = [&](const std::string& typeAndStep)
+  { return beamOf(typeAndStep).turn_s; };
   EXPECT_DOUBLE_EQ(beamTurn_s("0 0.006135923"), 0.1);
   EXPECT_DOUBLE_EQ(beamTurn_s("0 0.006136"), 0.1);
   EXPECT_DOUBLE_EQ(beamTurn_s("0 0.00872665"), 1.0 / 75);
   EXPECT_DOUBLE_EQ(beamTurn_s("1 0.00872665"), 1.0 / 25);
   EXPECT_DOUBLE_EQ(beamTurn_s("5 0.00872665"), 0);
+  EXPECT_DOUBLE_EQ(beamOf("0 0.00872665").turnIncrement_rad, degToRad(1)) << "of an LMS";
+  EXPECT_DOUBLE_EQ(beamOf("1 0.00872665").turnIncrement_rad, 0);
   EXPECT_TRUE(remarks_.empty()) << "the messages state the field of view of the three rays";
+}
+
+// 270 degrees are none of an LMS 200, whatever the type says.
+TEST_F(CarmenReaderTest, ABeamThatPassesMoreThanTheHalfCircleIsNoneOfAnLms)
+{
+  const auto frames = framesOf(
+      "ROBOTLASER1 0 -2.356 4.712 0.00436 30 0.01 0 3 1 1 1 0 0 0 0 0 0 0 0 0 0 0 0 1 host 1\n");
+  ASSERT_EQ(frames.size(), 1u);
+  EXPECT_EQ(frames[0].beam.turn_s, 0);
 }
 
 TEST_F(CarmenReaderTest, TheLaserSitsWhereTheParametersPutIt)

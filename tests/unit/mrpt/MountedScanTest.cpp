@@ -26,10 +26,10 @@ CObservation2DRangeScan seenFrom(const CPose3D& sensorPose, bool rightToLeft = t
 }
 
 MountedScan mounted(const CObservation2DRangeScan& observation,
-                    const ScanMatcherOptions& options = {}, double knownBeamTurn_s = 0)
+                    const ScanMatcherOptions& options = {}, const BeamTiming& known = {})
 {
   ScanConverter converter;
-  return toMountedScan(observation, converter, options, knownBeamTurn_s);
+  return toMountedScan(observation, converter, options, known);
 }
 
 bool hasValidRay(const Scan& scan)
@@ -54,7 +54,7 @@ TEST(MountedScan, KnowsHowLongTheSweepTook)
 {
   const CPose3D upright, upsideDown(0, 0, 0, 0, 0, kPi);
   ScanMatcherOptions options;
-  options.beamTurn_s = 0.2;
+  options.beam.turn_s = 0.2;
   EXPECT_NEAR(mounted(seenFrom(upright), options).scan.sweepDuration_s, 0.1, kFloat_s);
   EXPECT_NEAR(mounted(seenFrom(upright, false), options).scan.sweepDuration_s, -0.1, kFloat_s);
   EXPECT_NEAR(mounted(seenFrom(upsideDown), options).scan.sweepDuration_s, -0.1, kFloat_s);
@@ -64,9 +64,21 @@ TEST(MountedScan, KnowsHowLongTheSweepTook)
 TEST(MountedScan, PutsTheTimeOfTheOptionsBeforeThatFromElsewhere)
 {
   ScanMatcherOptions options;
-  EXPECT_NEAR(mounted(seenFrom({}), options, 0.4).scan.sweepDuration_s, 0.2, kFloat_s);
-  options.beamTurn_s = 0.2;
-  EXPECT_NEAR(mounted(seenFrom({}), options, 0.4).scan.sweepDuration_s, 0.1, kFloat_s);
+  EXPECT_NEAR(mounted(seenFrom({}), options, {0.4, 0}).scan.sweepDuration_s, 0.2, kFloat_s);
+  options.beam.turn_s = 0.2;
+  EXPECT_NEAR(mounted(seenFrom({}), options, {0.4, 0}).scan.sweepDuration_s, 0.1, kFloat_s);
+}
+
+// Half of the rays in each of two turns: every second ray is cast a turn later.
+TEST(MountedScan, KnowsWhichRaysCameInAnotherTurn)
+{
+  const CObservation2DRangeScan observation = seenFrom({});
+  ScanMatcherOptions options;
+  options.beam.turn_s = 0.2;
+  options.beam.turnIncrement_rad = 2 * ScanConverter().convert(observation).grid.increment_rad();
+  const Scan scan = mounted(observation, options).scan;
+  EXPECT_EQ(scan.interleavedTurns, 2);
+  EXPECT_EQ(scan.turn_s, 0.2);
 }
 
 TEST(MountedScan, HasNoValidRayWhereItIsTiltedTooFar)

@@ -197,7 +197,7 @@ TEST_F(TrajectoryBuilderTest, WhatFailsIsTriedWithAPriorAsWideAsWithoutOdometry)
   EXPECT_TRUE(isNearly(scans[2].T_world_robot.pose, truth(2), 1e-9, 1e-9));
 }
 
-TEST_F(TrajectoryBuilderTest, AScanIsStraightenedByWhatTheRobotTurnsMeanwhile)
+TEST_F(TrajectoryBuilderTest, AScanIsDeskewedByWhatTheRobotTurnsMeanwhile)
 {
   auto oracle = std::make_unique<Oracle>();
   for (int i = 0; i < 2; ++i) oracle->T_world_sensor[i] = truth(i);
