@@ -97,6 +97,11 @@ void addRangeFaultFlags(CLI::App& app, CommandLine& c)
       ->type_name("S")
       ->check(CLI::Range(0.0, 0.1))
       ->capture_default_str();
+  app.add_option("--interleaved_turns", c.interleavedTurns,
+                 "of the beam that share the rays of a scan, each as long as --sweep_s says")
+      ->type_name("N")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
 }
 
 void addMountingFlags(CLI::App& app, CommandLine& c)

@@ -30,6 +30,7 @@ struct CommandLine
   double dropOutShare = 0;
   double beamDivergence_deg = 0;
   double sweep_s = 0;
+  int interleavedTurns = 1;
   double laserX_m = 0, laserY_m = 0, laserPhi_deg = 0;
 
   std::string output;

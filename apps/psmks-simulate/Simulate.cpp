@@ -18,6 +18,13 @@ namespace psmks
 {
 namespace
 {
+/** The time of a whole turn of a beam that sweeps over the rays as the laser states. */
+double turnOf_s(const LaserOptions& laser)
+{
+  const double swept_rad = (laser.grid.count() - 1) * laser.grid.increment_rad();
+  return laser.sweepDuration_s * 2 * kPi / swept_rad;
+}
+
 SimulationOptions simulationOptions(const CommandLine& c)
 {
   constexpr double kSecondsPerMinute = 60;
@@ -30,9 +37,14 @@ SimulationOptions simulationOptions(const CommandLine& c)
   options.laser.dropOutShare = c.dropOutShare;
   options.laser.beamDivergence_rad = degToRad(c.beamDivergence_deg);
   options.laser.sweepDuration_s = c.sweep_s;
+  options.laser.interleavedTurns = c.interleavedTurns;
+  options.laser.turn_s = turnOf_s(options.laser);
   options.T_robot_sensor = {c.laserX_m, c.laserY_m, wrapAngle(degToRad(c.laserPhi_deg))};
   options.duration_s = kSecondsPerMinute * c.minutes;
   options.seed = c.seed;
+  if (options.laser.duration_s() > options.scanPeriod_s)
+    throw ProgramError(kUsage, "--sweep_s and --interleaved_turns: a scan would take longer than " +
+                                   std::to_string(options.scanPeriod_s) + " s, its period");
   return options;
 }
 

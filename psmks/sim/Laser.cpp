@@ -1,4 +1,5 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <psmks/geometry/BeamTiming.h>
 #include <psmks/sim/Laser.h>
 
 #include <cmath>
@@ -123,14 +124,15 @@ SimulatedScan castScan(const Surroundings& surroundings, const SensorMotion& T_w
   simulated.scan.grid = laser.grid;
   simulated.scan.maxRange_m = laser.maxRange_m;
   simulated.scan.sweepDuration_s = laser.sweepDuration_s;
+  simulated.scan.interleavedTurns = laser.interleavedTurns;
+  simulated.scan.turn_s = laser.turn_s;
   const int rays = laser.grid.count();
-  const double betweenRays_s = rays > 1 ? laser.sweepDuration_s / (rays - 1) : 0;
   const SharedErrors shared(laser, random);
   simulated.bearingOffset_rad = shared.bearing_rad;
   UnitNoise unitNoise(laser.smoothedRays, random);
   for (int ray = 0; ray < rays; ++ray)
   {
-    const double sinceFirst_s = ray * betweenRays_s;
+    const double sinceFirst_s = sinceFirstRay_s(simulated.scan, ray);
     const Pose2 pose = T_world_sensor(sinceFirst_s);
     const double bearing_rad = laser.grid.bearing_rad(ray) + shared.bearing_rad;
     const Beam beam{surroundings, pose.translation(),

@@ -29,6 +29,11 @@ struct LaserOptions
   double scanOffsetSigma_m = 0;     //!< of an offset of all ranges of a scan
   double scanBearingSigma_rad = 0;  //!< of an offset of all bearings of a scan
   double sweepDuration_s = 0;       //!< from first to last ray, which all have their own pose
+  int interleavedTurns = 1;         //!< turns of the beam that share the rays, see Scan
+  double turn_s = 0;                //!< from turn to turn
+
+  /** From the first to the last of all rays. */
+  double duration_s() const { return sweepDuration_s + (interleavedTurns - 1) * turn_s; }
 
   RangeNoise rangeNoise() const { return {rangeSigma_m, rangeSigmaPerMetre_m}; }
 };

@@ -97,6 +97,20 @@ void addPlain(std::vector<PairFamily>& families)
                                                        shortSightedLms()))));
 }
 
+/** Half a degree in two interleaved turns of a SICK LMS 200, on a robot that drives and turns. */
+PairFamily interleaved()
+{
+  /** A fast indoor robot, which drives ahead and does not slide much to the sides. */
+  constexpr PlanarVelocity kFastest{1, 0.1, degToRad(60)};
+  PairFamily family =
+      office("interleaved", "two interleaved turns, at up to 1 m/s and 60 deg/s", lms());
+  family.laser.turn_s = 1.0 / 75;
+  family.laser.sweepDuration_s = family.laser.turn_s / 2;
+  family.laser.interleavedTurns = 2;
+  family.fastest = kFastest;
+  return family;
+}
+
 /** Adds families that differ from L180_medium in one property each. */
 void addHarder(std::vector<PairFamily>& families)
 {
@@ -134,6 +148,7 @@ void addHarder(std::vector<PairFamily>& families)
   LaserOptions shifting = flawed(&LaserOptions::scanOffsetSigma_m, 0.002);
   shifting.scanBearingSigma_rad = degToRad(0.05);
   families.push_back(office("shifted", "whole scans off by 2 mm and 0.05 degrees", shifting));
+  families.push_back(interleaved());
   families.push_back(office("fov90", "181 rays over 90 degrees", scanner(90, 181, 30)));
   families.push_back(withPeople(office("people", "a crowd of 6 people", lms()), 6));
   families.push_back(

@@ -1,6 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
+#include <psmks/motion/PlanarVelocity.h>
 #include <psmks/sim/Laser.h>
 #include <psmks/sim/Worlds.h>
 
@@ -17,6 +18,7 @@ struct PairFamily
   LaserOptions laser;
   double maxTranslation_m = 0.5;          //!< largest distance of the two scans, in any direction
   double maxRotation_rad = degToRad(15);  //!< largest rotation, in either direction
+  PlanarVelocity fastest{};               //!< of the sensor while it takes a scan, in either sense
   int people = 0;                         //!< number of people, who move between the two scans
   Site (*makeSite)(unsigned seed) = nullptr;  //!< its route is not used
 

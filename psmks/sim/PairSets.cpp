@@ -42,6 +42,29 @@ Pose2 drawOdometry(const Pose2& T_ref_cur, std::mt19937_64& random)
   return {x_m, y_m, T_ref_cur.phi_rad * (1 + share(random))};
 }
 
+PlanarVelocity drawVelocity(const PlanarVelocity& fastest, std::mt19937_64& random)
+{
+  if (fastest.isZero()) return {};
+  const double x = draw(random, -1, 1), y = draw(random, -1, 1), phi = draw(random, -1, 1);
+  return {x * fastest.x_m_s, y * fastest.y_m_s, phi * fastest.phi_rad_s};
+}
+
+PlanarVelocity drawOdometry(const PlanarVelocity& velocity, std::mt19937_64& random)
+{
+  if (velocity.isZero()) return {};
+  std::normal_distribution<double> share(0, kOdometryNoise);
+  const double speed_m_s = std::hypot(velocity.x_m_s, velocity.y_m_s);
+  const double x_m_s = velocity.x_m_s + speed_m_s * share(random);
+  const double y_m_s = velocity.y_m_s + speed_m_s * share(random);
+  return {x_m_s, y_m_s, velocity.phi_rad_s * (1 + share(random))};
+}
+
+/** The pose after a time, in the axes of the start. */
+Pose2 motionIn(double time_s, const PlanarVelocity& velocity)
+{
+  return {time_s * velocity.x_m_s, time_s * velocity.y_m_s, time_s * velocity.phi_rad_s};
+}
+
 /** Makes the pairs of a set one by one. */
 class PairMaker
 {
@@ -64,6 +87,8 @@ class PairMaker
       while (!place(pair, places)) continue;
     while (!scan(pair, noise));
     pair.T_ref_cur_odometry = drawOdometry(pair.T_ref_cur_true, odometry);
+    pair.refVelocityOdometry = drawOdometry(pair.refVelocity, odometry);
+    pair.curVelocityOdometry = drawOdometry(pair.curVelocity, odometry);
     return pair;
   }
 
@@ -82,6 +107,8 @@ class PairMaker
     if (!walker.walkOn(kStrollWays)) return false;
     pair.T_world_ref = {walker.place_m().x(), walker.place_m().y(), draw(random, -kPi, kPi)};
     pair.T_ref_cur_true = drawMotion(family_, random);
+    pair.refVelocity = drawVelocity(family_.fastest, random);
+    pair.curVelocity = drawVelocity(family_.fastest, random);
     if (!isPathFree(world(pair), pair.T_world_ref.translation(), pair.T_world_cur().translation(),
                     kSensorClearance_m))
       return false;
@@ -121,19 +148,25 @@ class PairMaker
    *  @return false if they do not overlap enough */
   bool scan(SimulatedPair& pair, std::mt19937_64& noise) const
   {
-    pair.reference = cast(pair, pair.T_world_ref, 0, noise);
-    pair.current = cast(pair, pair.T_world_cur(), kBetweenScans_s, noise);
+    pair.reference = cast(pair, pair.T_world_ref, pair.refVelocity, 0, noise);
+    pair.current = cast(pair, pair.T_world_cur(), pair.curVelocity, kBetweenScans_s, noise);
     return overlap(pair.reference.scan, pair.current.scan, pair.T_ref_cur_true) >= kLeastOverlap;
   }
 
-  SimulatedScan cast(const SimulatedPair& pair, const Pose2& T_world_sensor, double time_s,
-                     std::mt19937_64& noise) const
+  SimulatedScan cast(const SimulatedPair& pair, const Pose2& T_world_middle,
+                     const PlanarVelocity& velocity, double time_s, std::mt19937_64& noise) const
   {
-    const auto atRest = [&T_world_sensor](double) { return T_world_sensor; };
-    if (pair.people.empty()) return castScan(world(pair), atRest, time_s, family_.laser, noise);
+    const auto T_world_sensor = [&](double sinceFirstRay_s)
+    {
+      const double sinceMiddle_s = sinceFirstRay_s - family_.laser.duration_s() / 2;
+      return T_world_middle * motionIn(sinceMiddle_s, velocity);
+    };
+    if (pair.people.empty())
+      return castScan(world(pair), T_world_sensor, time_s, family_.laser, noise);
     World worldWithPeople = world(pair).world();
     for (const MovingObject& person : pair.people) worldWithPeople.addMovingObject(person);
-    return castScan(WorldIndex(std::move(worldWithPeople)), atRest, time_s, family_.laser, noise);
+    return castScan(WorldIndex(std::move(worldWithPeople)), T_world_sensor, time_s, family_.laser,
+                    noise);
   }
 
   const PairFamily& family_;

@@ -14,9 +14,12 @@ struct SimulatedPair
 {
   int id = 0;             //!< its number in the set
   std::size_t world = 0;  //!< index into PairSet::worlds
-  Pose2 T_world_ref;
+  Pose2 T_world_ref;      //!< in the middle of the scan, as all poses of a pair
   Pose2 T_ref_cur_true;
   Pose2 T_ref_cur_odometry;
+  /** Of the sensor during the scans, each in the axes of the sensor in the middle. */
+  PlanarVelocity refVelocity, curVelocity;
+  PlanarVelocity refVelocityOdometry, curVelocityOdometry;  //!< measured with noise
   /** At time 0 in the reference scan, kBetweenScans_s in the current one. */
   std::vector<MovingObject> people;
   SimulatedScan reference, current;
@@ -27,7 +30,7 @@ struct SimulatedPair
 constexpr double kBetweenScans_s = 1;
 
 /** Ratio of the standard deviation of the odometry to the displacement: on each axis to the
- * distance, and of the heading to the rotation. */
+ * distance, and of the heading to the rotation; that of velocities accordingly. */
 constexpr double kOdometryNoise = 0.05;
 
 /** Least distance of the sensor from all objects at rest, at both scans and on the straight line

@@ -34,7 +34,7 @@ class Drive
   RecordedScan drivePeriod(Driver& driver)
   {
     const int sweepSteps =
-        static_cast<int>(std::ceil(options_.laser.sweepDuration_s / options_.robot.noiseStep_s));
+        static_cast<int>(std::ceil(options_.laser.duration_s() / options_.robot.noiseStep_s));
     RecordedScan recorded;
     recorded.T_world_robot = robot_.T_world_robot();
     recorded.T_start_odometry = robot_.T_start_odometry();

@@ -13,7 +13,7 @@ namespace psmks
 struct SimulationOptions
 {
   RobotOptions robot;
-  LaserOptions laser;         //!< its sweep must not be longer than the scan period
+  LaserOptions laser;         //!< must not take longer for a scan than the scan period
   Pose2 T_robot_sensor;       //!< mounting of the scanner; default: at the centre of the robot
   double scanPeriod_s = 0.1;  //!< a multiple of the noise step of the robot
   double duration_s = 600;

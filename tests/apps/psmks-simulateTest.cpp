@@ -225,6 +225,8 @@ TEST_F(PsmksSimulate, WhatCannotBeAcceptedIsAUsageError)
   expectError(drive("--world room --driver route"), 1, {"add --route"});
   expectError(drive("--world room --rays 1"), 1, {"--rays"});
   expectError(drive("--world room --sweep_s 0.2"), 1, {"--sweep_s"});
+  expectError(drive("--world room --sweep_s 0.05 --interleaved_turns 2"), 1,
+              {"--interleaved_turns", "period"});
   expectError(drive("--world room --start_x_m 12"), 1, {"does not fit in"});
 }
 

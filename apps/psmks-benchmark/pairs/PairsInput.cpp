@@ -44,6 +44,15 @@ void readPairs(const std::string& path, int maxPairs, PairsInput& input)
   for (ScanPair pair; (maxPairs == 0 || input.pairs.size() < wanted) && reader.read(pair);)
     input.pairs.push_back(pair);
 }
+/** A file of pairs states one grid for all scans. */
+void requireOneGrid(const PairsInput& input)
+{
+  for (const ScanPair& pair : input.pairs)
+    if (pair.reference.grid != input.header.grid || pair.current.grid != input.header.grid)
+      throw PairsFileError(
+          input.title +
+          ": cannot be saved, for scans of a moving sensor have bearings of their own");
+}
 }  // namespace
 
 bool isGenerated(const std::string& argument)
@@ -91,6 +100,7 @@ void savePairs(const std::string& folder, const PairsInput& input)
   const std::string path =
       (std::filesystem::path(folder) / (input.title + kExtension + ".gz")).string();
   if (std::filesystem::exists(path)) throw PairsFileError(path + ": exists already");
+  requireOneGrid(input);
   PairsHeader header = input.header;
   /** May be fewer than the header of the file announced. */
   header.pairs = static_cast<int>(input.pairs.size());

@@ -8,13 +8,7 @@
 
 namespace psmks
 {
-/** The pairs of a generated set as matchers get them, in their order. */
-inline std::vector<ScanPair> scanPairs(const PairSet& set)
-{
-  std::vector<ScanPair> pairs;
-  for (const SimulatedPair& pair : set.pairs)
-    pairs.push_back({pair.id, pair.T_ref_cur_true, pair.T_ref_cur_odometry, pair.reference.scan,
-                     pair.current.scan});
-  return pairs;
-}
+/** The pairs of a generated set as matchers get them, in their order. Scans of a moving sensor are
+ * deskewed as those of a log are, with the velocity that the odometry measured. */
+std::vector<ScanPair> scanPairs(const PairSet& set);
 }  // namespace psmks

@@ -192,6 +192,24 @@ TEST(Laser, ATurningSensorSeesAStraightWallBent)
   }
 }
 
+// The scanner comes nearer to a wall 5 m ahead at 1 m/s: the rays of the second turn, 0.1 s later,
+// are 10 cm shorter.
+TEST(Laser, RaysOfTheSecondTurnAreCastLater)
+{
+  LaserOptions laser = exactLaser(61);
+  laser.grid = BeamGrid(0, 1e-8, 11);
+  laser.interleavedTurns = 2;
+  laser.turn_s = 0.1;
+  EXPECT_DOUBLE_EQ(laser.duration_s(), 0.1);
+  std::mt19937_64 random(1);
+  const auto ahead = [](double sinceFirstRay_s) { return Pose2{sinceFirstRay_s, 1, 0}; };
+  const SimulatedScan simulated = castScan(wallBeforeWall(), ahead, 0, laser, random);
+  EXPECT_EQ(simulated.scan.interleavedTurns, 2);
+  EXPECT_EQ(simulated.scan.turn_s, 0.1);
+  for (std::size_t ray = 0; ray < 11; ++ray)
+    EXPECT_NEAR(simulated.scan.range_m[ray], ray % 2 == 0 ? 5 : 4.9, 1e-6);
+}
+
 TEST(Laser, EachRayMeetsAMovingObjectWhereItThenIs)
 {
   // A disc ahead goes away at 1 m/s; all rays point ahead within a millionth of a degree.

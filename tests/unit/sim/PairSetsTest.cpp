@@ -1,9 +1,11 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #include <gtest/gtest.h>
+#include <psmks/geometry/BeamTiming.h>
 #include <psmks/sim/PairSets.h>
 #include <psmks/sim/Walker.h>
 #include <psmks/slam/Overlap.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <set>
@@ -95,15 +97,17 @@ TEST_P(PairSetsOf, RangesAreThoseOfTheWorldAtTheTruth)
   {
     World world = set.worlds[pair.world].world();
     for (const MovingObject& person : pair.people) world.addMovingObject(person);
-    const Eigen::Matrix2d R =
-        (pair.T_world_cur() * Pose2{0, 0, pair.current.bearingOffset_rad}).rotation();
     for (int ray = 0; ray < pair.current.scan.grid.count(); ray += 20)
     {
       const auto i = static_cast<std::size_t>(ray);
       if (pair.current.scan.range_m[i] == 0) continue;
-      const Hit hit =
-          world.cast(pair.T_world_cur().translation(), R * pair.current.scan.grid.direction(ray),
-                     GetParam().laser.maxRange_m, kBetweenScans_s);
+      const double time_s = sinceMiddle_s(pair.current.scan, ray);
+      const Pose2 moved{time_s * pair.curVelocity.x_m_s, time_s * pair.curVelocity.y_m_s,
+                        time_s * pair.curVelocity.phi_rad_s + pair.current.bearingOffset_rad};
+      const Pose2 T_world_sensor = pair.T_world_cur() * moved;
+      const Hit hit = world.cast(T_world_sensor.translation(),
+                                 T_world_sensor.rotation() * pair.current.scan.grid.direction(ray),
+                                 GetParam().laser.maxRange_m, kBetweenScans_s);
       EXPECT_NEAR(pair.current.scan.range_m[i] - pair.current.noise_m[i], hit.range_m, 1e-9);
       EXPECT_EQ(pair.current.objectOfRay[i], hit.object);
     }
@@ -176,6 +180,22 @@ TEST(PairSets, FlawsShowInTheScans)
   { return std::abs(scan.noise_m[ray]) > 0.06; };
   EXPECT_EQ(meanShare(setOf("L180_medium"), isMixed), 0);
   EXPECT_GT(meanShare(setOf("mixed"), isMixed), 0.005);
+}
+
+TEST(PairSets, TheSensorMovesWhileItTakesInterleavedTurns)
+{
+  const PairSet set = setOf("interleaved");
+  double fastest_rad_s = 0;
+  for (const SimulatedPair& pair : set.pairs)
+  {
+    EXPECT_EQ(pair.current.scan.interleavedTurns, 2);
+    EXPECT_LE(std::abs(pair.curVelocity.x_m_s), set.family.fastest.x_m_s);
+    EXPECT_NE(pair.curVelocity.x_m_s, pair.refVelocity.x_m_s);
+    const double measured = pair.curVelocityOdometry.phi_rad_s / pair.curVelocity.phi_rad_s;
+    EXPECT_NEAR(measured, 1, 5 * kOdometryNoise);
+    fastest_rad_s = std::max(fastest_rad_s, std::abs(pair.curVelocity.phi_rad_s));
+  }
+  EXPECT_GT(fastest_rad_s, set.family.fastest.phi_rad_s / 2);
 }
 
 TEST(PairSets, PeopleAreSeenAndMove)
