@@ -5,6 +5,7 @@
 #include <apps/support/TextFile.h>
 #include <psmks/eval/Figure.h>
 #include <psmks/eval/Table.h>
+#include <psmks/motion/OdometryNoise.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -24,6 +25,26 @@ std::vector<Table::Cell> row(const std::string& evidence, const SensorReport::Ra
           kMillimetre * rays.noise.sigmaPerMetre_m, rays.raysPerReading};
 }
 
+std::string textOf(const SensorReport::HalfScans& halves)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << kMillimetre * halves.oddMinusEven_m << " mm, sigma "
+       << kMillimetre * halves.sigma_m << " mm";
+  return text.str();
+}
+
+std::string textOf(const SensorReport::OddRayDelay& delay)
+{
+  constexpr double kMillisecond = 1e3;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2)
+       << "odd rays after even ones: " << kMillisecond * delay.byDriving_s
+       << " ms by driving, sigma " << kMillisecond * delay.byDrivingSigma_s << " ms; "
+       << kMillisecond * delay.byTurning_s << " ms by turning, sigma "
+       << kMillisecond * delay.byTurningSigma_s << " ms\n";
+  return text.str();
+}
+
 /** The three levels, in words and numbers. */
 std::string textOf(const SensorReport& report)
 {
@@ -38,8 +59,9 @@ std::string textOf(const SensorReport& report)
   if (report.standing.scans > 0) table.rows.push_back(row("standing", report.standing));
   std::ostringstream text;
   text << std::fixed << toText(table) << std::setprecision(2)
-       << "odd minus even rays: " << kMillimetre * report.oddMinusEven_m << " mm, sigma "
-       << kMillimetre * report.oddMinusEvenSigma_m << " mm\n";
+       << "odd minus even rays: " << textOf(report.rawHalfScans) << ", deskewed "
+       << textOf(report.halfScans) << '\n';
+  if (report.oddRayDelay.scans > 0) text << textOf(report.oddRayDelay);
   if (report.wholeScan)
     text << "whole scans, besides: " << kMillimetre * report.wholeScan->sigma_m << " mm, "
          << radToDeg(report.wholeScan->sigma_rad) << " deg, of poses that scatter by "
@@ -88,7 +110,13 @@ void draw(const SensorReport& report, const std::string& path)
 
 void SensorSink::write(const LaserFrame& frame)
 {
-  survey_.add(toLogScan(frame, converter_, ScanMatcherOptions()).scan);
+  LogScan logged = toLogScan(frame, converter_, ScanMatcherOptions());
+  const Scan raw = logged.scan;
+  const Pose2 motion = logged.odometry.value_or(Pose2());
+  deskewer_.deskew(logged.scan, logged.T_robot_sensor,
+                   {motion, odometryCovariance(motion, OdometryOptions())});
+  survey_.compareTurns(raw, deskewer_.measured());
+  survey_.add(logged.scan);
   ++scans_;
 }
 

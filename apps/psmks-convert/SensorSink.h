@@ -3,6 +3,7 @@
 
 #include <apps/psmks-convert/LogSink.h>
 #include <psmks/eval/SensorSurvey.h>
+#include <psmks/motion/SequenceDeskewer.h>
 #include <psmks/mrpt/Convert.h>
 
 #include <string>
@@ -23,6 +24,7 @@ class SensorSink : public LogSink
  private:
   std::string path_;
   ScanConverter converter_;
+  SequenceDeskewer deskewer_;
   SensorSurvey survey_;
   int scans_ = 0;
 };

@@ -43,6 +43,38 @@ double rms(const std::vector<Eigen::Vector3d>& rows, int from, int columns)
   return std::sqrt(sum / (static_cast<double>(rows.size()) * columns));
 }
 
+/** Adds the difference of odd and even rays of each wall. */
+void compareHalves(const SegmentedScan& scan, std::vector<double>& oddMinusEven_m)
+{
+  const std::size_t walls = scan.segments.size();
+  std::vector<double> sums_m(2 * walls, 0);
+  std::vector<int> counts(2 * walls, 0);
+  for (int ray = 0; ray < scan.rays(); ++ray)
+  {
+    const auto i = static_cast<std::size_t>(ray);
+    if (scan.segmentOfRay[i] < 0) continue;
+    const std::size_t half = 2 * static_cast<std::size_t>(scan.segmentOfRay[i]) + i % 2;
+    sums_m[half] += scan.range_m[i] - scan.denoisedRange_m(ray);
+    ++counts[half];
+  }
+  for (std::size_t w = 0; w < walls; ++w)
+  {
+    const int even = counts[2 * w], odd = counts[2 * w + 1];
+    if (even + odd < kFewestRays || even == 0 || odd == 0) continue;
+    oddMinusEven_m.push_back(sums_m[2 * w + 1] / odd - sums_m[2 * w] / even);
+  }
+}
+
+SensorReport::HalfScans halfScansOf(const std::vector<double>& oddMinusEven_m)
+{
+  if (oddMinusEven_m.empty()) return {};
+  const double middle_m = median(oddMinusEven_m);
+  std::vector<double> apart_m = oddMinusEven_m;
+  for (double& value_m : apart_m) value_m = std::abs(value_m - middle_m);
+  return {middle_m,
+          kNormalRatio * median(apart_m) / std::sqrt(static_cast<double>(apart_m.size()))};
+}
+
 /** What is missing of a variance of differences between two scans, as a standard deviation of one.
  */
 double missingSigma(double scatter, double claimedVariance)
@@ -56,10 +88,48 @@ void SensorSurvey::add(const Scan& scan)
   ++scans_;
   matcher_.segment(scan, workspace_, current_);
   addWalls(current_);
+  compareHalves(current_, oddMinusEven_m_);
   follow(current_);
 }
 
-/** The residuals of the rays on walls, each by itself and odd ones against even ones. */
+void SensorSurvey::compareTurns(const Scan& raw, const PlanarVelocity& velocity)
+{
+  matcher_.segment(raw, workspace_, current_);
+  compareHalves(current_, rawOddMinusEven_m_);
+  if (velocity.isZero() || !velocity.isFinite()) return;
+
+  /** Standard deviation of the motion from turn to turn. Definition: as good as unknown. */
+  constexpr double kVague_m = 0.1, kVague_rad = degToRad(5);
+  Scan inTwoTurns = raw;
+  inTwoTurns.sweepDuration_s = 0;
+  inTwoTurns.interleavedTurns = 2;
+  inTwoTurns.turn_s = 1;
+  const Eigen::Vector3d vague(kVague_m, kVague_m, kVague_rad);
+  const PlanarVelocity perTurn =
+      deskewer_.fittedVelocity(inTwoTurns, {}, vague.cwiseAbs2().asDiagonal());
+  driving_.add(velocity.x_m_s, perTurn.x_m_s);
+  driving_.add(velocity.y_m_s, perTurn.y_m_s);
+  turning_.add(velocity.phi_rad_s, perTurn.phi_rad_s);
+}
+
+void SensorSurvey::Regression::add(double cause, double response)
+{
+  squares += cause * cause;
+  products += cause * response;
+  responses += response * response;
+  ++count;
+}
+
+double SensorSurvey::Regression::slope() const { return squares > 0 ? products / squares : 0; }
+
+double SensorSurvey::Regression::sigma() const
+{
+  if (count < 2 || squares <= 0) return 0;
+  const double unexplained = std::max(0.0, responses - slope() * products);
+  return std::sqrt(unexplained / (count - 1) / squares);
+}
+
+/** The residuals of the rays on walls. */
 void SensorSurvey::addWalls(const SegmentedScan& scan)
 {
   if (scan.segments.empty()) return;
@@ -70,19 +140,12 @@ void SensorSurvey::addWalls(const SegmentedScan& scan)
     const Segment& segment = scan.segments[s];
     if (segment.rays < kFewestRays) continue;
     const double unbiased = std::sqrt(segment.rays / (segment.rays - 2.0));
-    double sums_m[2] = {0, 0};
-    int counts[2] = {0, 0};
     for (int ray = 0; ray < scan.rays(); ++ray)
     {
       if (scan.segmentOfRay[static_cast<std::size_t>(ray)] != static_cast<int>(s)) continue;
       const double range_m = scan.range_m[static_cast<std::size_t>(ray)];
-      const double residual_m = range_m - scan.denoisedRange_m(ray);
-      wallScatter_.add(range_m, unbiased * residual_m);
-      sums_m[ray % 2] += residual_m;
-      ++counts[ray % 2];
+      wallScatter_.add(range_m, unbiased * (range_m - scan.denoisedRange_m(ray)));
     }
-    if (counts[0] > 0 && counts[1] > 0)
-      oddMinusEven_m_.push_back(sums_m[1] / counts[1] - sums_m[0] / counts[0]);
   }
 }
 
@@ -157,14 +220,10 @@ SensorReport SensorSurvey::report()
   report.scans = scans_;
   report.walls = {wallScatter_.bins(), wallScatter_.noise(),
                   readings_.empty() ? 1 : median(readings_), scansWithWalls_};
-  if (!oddMinusEven_m_.empty())
-  {
-    report.oddMinusEven_m = median(oddMinusEven_m_);
-    std::vector<double> apart_m = oddMinusEven_m_;
-    for (double& value_m : apart_m) value_m = std::abs(value_m - report.oddMinusEven_m);
-    report.oddMinusEvenSigma_m =
-        kNormalRatio * median(apart_m) / std::sqrt(static_cast<double>(apart_m.size()));
-  }
+  report.halfScans = halfScansOf(oddMinusEven_m_);
+  report.rawHalfScans = halfScansOf(rawOddMinusEven_m_);
+  report.oddRayDelay = {driving_.slope(), driving_.sigma(), turning_.slope(), turning_.sigma(),
+                        turning_.count};
   if (standingScans_ == 0) return report;
 
   /** Largest correlation of neighbouring rays that counts. Unit: none. Definition: means of ten

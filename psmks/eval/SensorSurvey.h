@@ -4,6 +4,7 @@
 #include <psmks/core/Matcher.h>
 #include <psmks/eval/RangeScatter.h>
 #include <psmks/geometry/Scan.h>
+#include <psmks/motion/Deskewer.h>
 
 #include <optional>
 #include <string>
@@ -28,10 +29,25 @@ struct SensorReport
   Rays walls;     //!< residuals of rays on straight walls, with the unevenness of the walls
   Rays standing;  //!< differences of the same ray between scans, while the scanner stood
 
-  /** By how much ranges of rays with an odd number exceed those with an even one, on walls: an
-   * offset between the two half-scans of a scanner that interleaves them. */
-  double oddMinusEven_m = 0;
-  double oddMinusEvenSigma_m = 0;  //!< standard deviation of that mean
+  /** By how much ranges of rays with an odd number exceed those with an even one, on walls. */
+  struct HalfScans
+  {
+    double oddMinusEven_m = 0;
+    double sigma_m = 0;  //!< standard deviation of that mean
+  };
+  HalfScans halfScans;     //!< of the scans that add() was given
+  HalfScans rawHalfScans;  //!< of those that compareTurns() was given
+
+  /** How much later odd rays are cast than even ones, by what the scans shift between them for
+   * each metre a second, and each radian a second, that the odometry measured. Errors of the
+   * odometry make it too small. About 0 for a scanner that takes its scans in one turn. */
+  struct OddRayDelay
+  {
+    double byDriving_s = 0, byDrivingSigma_s = 0;
+    double byTurning_s = 0, byTurningSigma_s = 0;
+    int scans = 0;
+  };
+  OddRayDelay oddRayDelay;
 
   /** By how much whole scans err besides the noise of their rays: from the scatter of the poses of
    * a standing scanner. None where it never stood. */
@@ -60,6 +76,12 @@ class SensorSurvey
   /** Adds the next scan of the log. */
   void add(const Scan& scan);
 
+  /** Adds a scan as it came, before it was deskewed, for the comparison of its odd with its even
+   * rays.
+   *  @param velocity of the scanner, by odometry; a scan without one, or from a scanner at rest,
+   *  says nothing of delays */
+  void compareTurns(const Scan& raw, const PlanarVelocity& velocity);
+
   /** What the scans so far tell. The stretch that the scanner stands in ends here. */
   SensorReport report();
 
@@ -71,6 +93,17 @@ class SensorSurvey
     std::vector<Eigen::Vector3d> claimed;  //!< variances that the matches of the steps claim
     std::vector<std::vector<double>> differences_m;  //!< of the rays, scan by scan
     std::vector<std::vector<double>> ranges_m;
+  };
+
+  /** Sums over scans of a regression through the origin. */
+  struct Regression
+  {
+    double squares = 0, products = 0, responses = 0;
+    int count = 0;
+
+    void add(double cause, double response);
+    double slope() const;
+    double sigma() const;
   };
 
   void addWalls(const SegmentedScan& scan);
@@ -86,8 +119,10 @@ class SensorSurvey
 
   int scans_ = 0, scansWithWalls_ = 0, standingScans_ = 0;
   RangeScatter wallScatter_, standingScatter_;
-  std::vector<double> readings_;             //!< raysPerReading of each scan
-  std::vector<double> oddMinusEven_m_;       //!< of each wall
+  std::vector<double> readings_;                            //!< raysPerReading of each scan
+  std::vector<double> oddMinusEven_m_, rawOddMinusEven_m_;  //!< of each wall
+  Regression driving_, turning_;
+  Deskewer deskewer_;
   double products_m2_ = 0, squares_m2_ = 0;  //!< of differences of neighbouring rays
   std::vector<Eigen::Vector3d> steps_, claimed_;
 };

@@ -79,8 +79,39 @@ TEST_F(SensorSurveyTest, FindsAnOffsetBetweenInterleavedHalfScans)
     survey_.add(scan);
   }
   const SensorReport report = survey_.report();
-  EXPECT_NEAR(report.oddMinusEven_m, 0.008, 0.0015);
-  EXPECT_LT(report.oddMinusEvenSigma_m, 0.001);
+  EXPECT_NEAR(report.halfScans.oddMinusEven_m, 0.008, 0.0015);
+  EXPECT_LT(report.halfScans.sigma_m, 0.001);
+}
+
+// Even rays are cast from one pose, odd ones 13 ms later from another.
+TEST_F(SensorSurveyTest, FindsHowMuchLaterOddRaysAreCast)
+{
+  constexpr double kDelay_s = 0.013;
+  for (int i = 0; i < 60; ++i)
+  {
+    const Pose2 pose{0.05 * i - 1, 0, 0.02 * i};
+    const PlanarVelocity velocity{std::uniform_real_distribution<double>(0, 1)(rng_), 0,
+                                  normal(0.5)};
+    Scan scan = scanAt(pose, 0.005);
+    const Pose2 moved{velocity.x_m_s * kDelay_s, 0, velocity.phi_rad_s * kDelay_s};
+    const Scan odd = scanAt(pose * moved, 0.005);
+    for (std::size_t ray = 1; ray < scan.range_m.size(); ray += 2)
+      scan.range_m[ray] = odd.range_m[ray];
+    survey_.compareTurns(scan, velocity);
+  }
+  const SensorReport report = survey_.report();
+  EXPECT_EQ(report.oddRayDelay.scans, 60);
+  EXPECT_NEAR(report.oddRayDelay.byDriving_s, kDelay_s, 0.001);
+  EXPECT_NEAR(report.oddRayDelay.byTurning_s, kDelay_s, 0.001);
+  EXPECT_LT(report.rawHalfScans.oddMinusEven_m, -0.003);
+}
+
+TEST_F(SensorSurveyTest, FindsNoDelayWhereAllRaysAreCastAtOnce)
+{
+  for (int i = 0; i < 60; ++i) survey_.compareTurns(scanAt({0.05 * i - 1, 0, 0}), {0.5, 0, 0.3});
+  const SensorReport report = survey_.report();
+  EXPECT_NEAR(report.oddRayDelay.byDriving_s, 0, 0.001);
+  EXPECT_NEAR(report.oddRayDelay.byTurning_s, 0, 0.001);
 }
 
 TEST_F(SensorSurveyTest, OfADrivingScannerWallsAreTheEvidence)
