@@ -197,7 +197,7 @@ TEST(Laser, ATurningSensorSeesAStraightWallBent)
 TEST(Laser, RaysOfTheSecondTurnAreCastLater)
 {
   LaserOptions laser = exactLaser(61);
-  laser.grid = BeamGrid(0, 1e-8, 11);
+  laser.grid = BeamGrid(0, 1e-5, 11);
   laser.interleavedTurns = 2;
   laser.turn_s = 0.1;
   EXPECT_DOUBLE_EQ(laser.duration_s(), 0.1);
@@ -216,7 +216,7 @@ TEST(Laser, EachRayMeetsAMovingObjectWhereItThenIs)
   World world;
   world.addMovingObject({0.2, 1, {{2, 0}, {8, 0}}});
   LaserOptions laser = exactLaser(2);
-  laser.grid = BeamGrid(0, 1e-8, 11);
+  laser.grid = BeamGrid(0, 1e-5, 11);
   laser.sweepDuration_s = 0.1;
   std::mt19937_64 random(1);
   const auto atRest = [](double) { return Pose2{}; };

@@ -163,7 +163,7 @@ TEST(RayCasting, NoiseHasTheScannersSigma)
 {
   std::mt19937_64 random(1);
   LaserOptions scanner;
-  scanner.grid = BeamGrid::centered(0.001, 4001);
+  scanner.grid = BeamGrid::centered(0.05, 4001);
   const SimulatedScan simulated = castScan(roomWithBox(), {1, 2.5, 0}, scanner, random);
   double squares_m2 = 0;
   for (const double range_m : simulated.scan.range_m) squares_m2 += (range_m - 2) * (range_m - 2);
