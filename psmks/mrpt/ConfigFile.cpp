@@ -66,6 +66,14 @@ void loadOptions(OptionTable& table, const CConfigFileBase& file, const std::str
   }
 }
 
+bool hasStages(const CConfigFileBase& file, const std::string& section)
+{
+  std::vector<std::string> sections;
+  file.getAllSections(sections);
+  return std::any_of(sections.begin(), sections.end(),
+                     [&](const std::string& name) { return startsWith(name, section + "."); });
+}
+
 void saveOptions(const OptionTable& table, CConfigFileBase& file, const std::string& section)
 {
   // MRPT can pad keys with blanks, but in memory a padded key is another key. None is padded here.

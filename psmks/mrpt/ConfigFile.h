@@ -20,6 +20,9 @@ namespace psmks
 void loadOptions(OptionTable& table, const mrpt::config::CConfigFileBase& file,
                  const std::string& section);
 
+/** Whether a file holds options of any stage: a section that begins with "<section>.". */
+bool hasStages(const mrpt::config::CConfigFileBase& file, const std::string& section);
+
 /** Writes every option. loadOptions() from the file, or from the same object in memory, gives the
  *  same values to the last bit. */
 void saveOptions(const OptionTable& table, mrpt::config::CConfigFileBase& file,

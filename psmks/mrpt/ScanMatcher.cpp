@@ -2,6 +2,7 @@
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <psmks/base/Stopwatch.h>
 #include <psmks/matchers/BuiltSolvers.h>
+#include <psmks/mrpt/MapMatch.h>
 #include <psmks/mrpt/ScanMatcher.h>
 
 #include <Eigen/Cholesky>
@@ -71,6 +72,20 @@ void requireMap(const CMetricMap* map, const char* name)
   if (!map) throw std::invalid_argument(std::string("psmks::ScanMatcher: ") + name + " is null");
 }
 
+double square(double x) { return x * x; }
+
+/** Where the current map may lie in the other one: as far from the guess as its points are from its
+ * origin, and as far as a match may move it. */
+MapRegion regionAbout(const MapPoints& current, const Pose2& T_m1_m2)
+{
+  /** How far a match of maps moves the guess, at most. Unit: m. Evidence: open. */
+  constexpr double kFarthest_m = 1.5;
+  double reach_m = 0;
+  for (const Eigen::Vector2d& point_m : current.points_m)
+    reach_m = std::max(reach_m, point_m.norm());
+  return {T_m1_m2.translation(), reach_m + kFarthest_m};
+}
+
 /** The pose in space: x, y and yaw are those of the plane, z, pitch and roll those of the guess.
  * The latter are at least as uncertain as the assumption that the robot moves in a plane. */
 CPose3DPDFGaussian lifted(const CPosePDFGaussian& plane, const CPose3DPDFGaussian& guess)
@@ -106,20 +121,26 @@ CPosePDFGaussian flattened(const CPose3DPDFGaussian& guess)
 
 ScanMatcher::ScanMatcher() { setLoggerName("psmks::ScanMatcher"); }
 
-UncertainPose ScanMatcher::solve(const Problem& problem, const UncertainPose& T_m1_m2,
-                                 ReturnInfo& info)
+ScanMatcher::ScanMatcher(const Options& o) : ScanMatcher() { options = o; }
+
+MatchResult ScanMatcher::solve(const Problem& problem, const UncertainPose& T_m1_m2,
+                               SearchScope scope, MatcherWorkspace& workspace) const
 {
   const UncertainPose T_ref_cur =
       conjugated(T_m1_m2, problem.T_m1_reference.inverse(), problem.T_m2_current.inverse());
   const Matcher matcher(options.matcher, builtSolvers());
-  info.match = matcher.match(problem.reference, problem.current,
-                             {T_ref_cur.pose, priorOf(T_ref_cur.covariance)}, buffers_.workspace);
-  info.nIterations = static_cast<unsigned>(info.match.iterations);
-  info.goodness = goodnessOf(info.match, options.matcher.joint.acceptScore);
-  info.quality = qualityOf(info.match, info.goodness);
-  report(info.match);
-  return conjugated({info.match.T_ref_cur, info.match.covariance}, problem.T_m1_reference,
-                    problem.T_m2_current);
+  return matcher.match(problem.reference, problem.current,
+                       {T_ref_cur.pose, priorOf(T_ref_cur.covariance)}, workspace, nullptr, scope);
+}
+
+ScanMatcher::ReturnInfo ScanMatcher::infoOf(const MatchResult& match) const
+{
+  ReturnInfo info;
+  info.match = match;
+  info.nIterations = static_cast<unsigned>(match.iterations);
+  info.goodness = goodnessOf(match, options.matcher.joint.acceptScore);
+  info.quality = qualityOf(match, info.goodness);
+  return info;
 }
 
 const Scan& ScanMatcher::planarScan(const CObservation2DRangeScan& observation,
@@ -142,15 +163,50 @@ CPosePDFGaussian::Ptr ScanMatcher::align(const CObservation2DRangeScan& referenc
                                          const CPosePDFGaussian& initial, ReturnInfo* info)
 {
   Stopwatch watch;
-  ReturnInfo found;
-  const Problem problem{planarScan(reference, buffers_.referenceConverter, buffers_.reference),
-                        planarScan(current, buffers_.currentConverter, buffers_.current),
+  LendingPool<Buffers>::Loan loan(buffers_);
+  Buffers& buffers = *loan;
+  const Problem problem{planarScan(reference, buffers.referenceConverter, buffers.reference),
+                        planarScan(current, buffers.currentConverter, buffers.current),
                         sensorMounting(reference).T_robot_sensor,
                         sensorMounting(current).T_robot_sensor};
-  const UncertainPose T_m1_m2 = solve(problem, toUncertainPose(initial), found);
+  ReturnInfo found =
+      infoOf(solve(problem, toUncertainPose(initial), SearchScope::Full, buffers.workspace));
+  report(found.match);
   found.executionTime = watch.lap_s();
   if (info) *info = found;
-  return CPosePDFGaussian::Create(toMrpt(T_m1_m2));
+  return CPosePDFGaussian::Create(toMrpt(conjugated({found.match.T_ref_cur, found.match.covariance},
+                                                    problem.T_m1_reference, problem.T_m2_current)));
+}
+
+std::optional<Pose2> ScanMatcher::poseOfViews(const MapPoints& m1, const MapPoints& m2,
+                                              const Pose2& T_m1_m2,
+                                              MatcherWorkspace& workspace) const
+{
+  const ViewOptions& view = options.view;
+  const BeamGrid grid = BeamGrid::centered(view.fieldOfView_rad, view.rays);
+  const Pose2 T_m1_sensor = T_m1_m2 * view.T_map_sensor;
+  const Scan reference = polarView(m1, T_m1_sensor, grid, view.maxGap_m);
+  const Scan current = polarView(m2, view.T_map_sensor, grid, view.maxGap_m);
+  const MatchResult match = solve({reference, current, T_m1_sensor, view.T_map_sensor}, {T_m1_m2},
+                                  SearchScope::NearGuess, workspace);
+  if (!match.usable()) return std::nullopt;
+  return T_m1_sensor * match.T_ref_cur * view.T_map_sensor.inverse();
+}
+
+MatchResult ScanMatcher::matchMaps(const CMetricMap& m1, const CMetricMap& m2,
+                                   const UncertainPose& guess)
+{
+  LendingPool<Buffers>::Loan loan(buffers_);
+  Buffers& buffers = *loan;
+  const MapPoints current = pointsOf(m2);
+  MapPoints reference = pointsOf(m1, regionAbout(current, guess.pose));
+  if (reference.points_m.empty()) reference = pointsOf(m1);
+
+  const Eigen::DiagonalMatrix<double, 3> open(
+      square(options.guessSigma_m), square(options.guessSigma_m), square(options.guessSigma_rad));
+  return MapMatch(options, options.matcher.joint, open.toDenseMatrix())
+      .match(reference, current, {guess.pose, priorOf(guess.covariance)}, buffers.field,
+             [&] { return poseOfViews(reference, current, guess.pose, buffers.workspace); });
 }
 
 CPosePDF::Ptr ScanMatcher::AlignPDF(const CMetricMap* m1, const CMetricMap* m2,
@@ -160,18 +216,12 @@ CPosePDF::Ptr ScanMatcher::AlignPDF(const CMetricMap* m1, const CMetricMap* m2,
   requireMap(m1, "m1");
   requireMap(m2, "m2");
   Stopwatch watch;
-  ReturnInfo found;
-  const UncertainPose guess = toUncertainPose(initialEstimationPDF);
-  const ViewOptions& view = options.view;
-  const BeamGrid grid = BeamGrid::centered(view.fieldOfView_rad, view.rays);
-  const Pose2 T_m1_sensor = guess.pose * view.T_map_sensor;
-  const Scan reference = polarView(*m1, T_m1_sensor, grid, view.maxGap_m);
-  const Scan current = polarView(*m2, view.T_map_sensor, grid, view.maxGap_m);
-  const UncertainPose T_m1_m2 =
-      solve({reference, current, T_m1_sensor, view.T_map_sensor}, guess, found);
+  ReturnInfo found = infoOf(matchMaps(*m1, *m2, toUncertainPose(initialEstimationPDF)));
+  report(found.match);
   found.executionTime = watch.lap_s();
   fill(found, outInfo);
-  return CPosePDFGaussian::Create(toMrpt(T_m1_m2));
+  return CPosePDFGaussian::Create(
+      toMrpt(UncertainPose{found.match.T_ref_cur, found.match.covariance}));
 }
 
 CPose3DPDF::Ptr ScanMatcher::Align3DPDF(const CMetricMap* m1, const CMetricMap* m2,

@@ -8,31 +8,44 @@
 #include <mrpt/slam/CMetricMapsAlignmentAlgorithm.h>
 #include <psmks/core/Matcher.h>
 #include <psmks/mrpt/Convert.h>
+#include <psmks/mrpt/LendingPool.h>
+#include <psmks/mrpt/MapPoints.h>
 #include <psmks/mrpt/ScanMatcherOptions.h>
+#include <psmks/mrpt/SurfaceField.h>
+
+#include <optional>
 
 namespace psmks
 {
 /** PSM-KS as an MRPT map alignment algorithm: a drop-in replacement for mrpt::slam::CICP. Beside
- *  maps it matches pairs of scans, which is more accurate than matching point maps made of them.
- *  It matches by a Matcher: by this project's own scheme, Scheme::Joint, unless the options choose
- *  Scheme::Paper, that of Cuadra Troncoso et al., 2015.
+ *  maps it matches pairs of scans.
+ *
+ *  - Scans are matched by a Matcher: by this project's own scheme, Scheme::Joint, unless the
+ *    options choose Scheme::Paper, that of Cuadra Troncoso et al., 2015.
+ *  - Maps are matched by MapMatch, which registers the points of one map to the surfaces of the
+ *    other; where that does not explain the points, a Matcher looks for a better start in views of
+ *    both maps. The reference may be made of any number of scans.
  *
  *  - Every pose is that of `m2` in the frame of `m1`, or that of the robot at the current scan in
  *    the frame of the robot at the reference scan: metres, radians, covariances of (x, y, phi).
  *  - The initial covariance is used as a Gaussian prior. A covariance that is not positive definite
  *    means that the initial pose is only where to begin; MRPT's Align() passes zeros.
  *  - A match that fails gives back the initial pose, with goodness 0 and with the initial
- *    covariance, or a large one where that was not positive definite. ReturnInfo::match says why.
- *    Bad data does not throw.
+ *    covariance. Where that was not positive definite, scans give a large one, and maps that of
+ *    options.guessSigma_m and guessSigma_rad: particle filters, as that of MRPT's rbpf-slam, draw
+ *    from the covariance of a map alignment whether it failed or not, and one that says how little
+ *    is known would scatter their particles. ReturnInfo::match says why a match failed. Bad data
+ *    does not throw.
  *  - A match is logged at the level DEBUG, a failed one at WARN.
- *  - One object serves one thread. A copy has the options of its original and nothing else in
- *    common with it. */
+ *  - One object may serve several threads while its options stay as they are. A copy has the
+ * options of its original and nothing else in common with it. */
 class ScanMatcher : public mrpt::slam::CMetricMapsAlignmentAlgorithm, public mrpt::rtti::CObject
 {
   DEFINE_MRPT_OBJECT(ScanMatcher, psmks)
 
  public:
   using Options = ScanMatcherOptions;
+  using TConfigParams = ScanMatcherOptions;  //!< as mrpt::slam::CICP calls them
 
   /** What a match found. A caller that passes a CICP::TReturnInfo gets its fields:
    *  - nIterations: see MatchResult::iterations.
@@ -40,18 +53,20 @@ class ScanMatcher : public mrpt::slam::CMetricMapsAlignmentAlgorithm, public mrp
    *    for a score of `joint.accept_score`, and 1 for a score of 1: every ray is explained by the
    *    other scan.
    *  - quality: the goodness, but 0 where match.status is Degenerate: the scans leave a direction
-   * or the heading open, as in a corridor, or fit elsewhere as well. */
+   *    or the heading open, as in a corridor, or fit elsewhere as well. */
   struct ReturnInfo : public mrpt::slam::CICP::TReturnInfo
   {
-    /** The match in the frames of the two sensors, see SensorMounting, or of the two viewpoints
-     *  from which maps are seen. */
+    /** The match in the frames of the two sensors, see SensorMounting, or of the two maps, where
+     *  MapMatch tells what score, associations and hypotheses mean. */
     MatchResult match;
   };
+  using TReturnInfo = ReturnInfo;  //!< as mrpt::slam::CICP calls it
 
   ScanMatcher();
+  explicit ScanMatcher(const Options& options);
 
   /** May be changed between matches. A match throws an OptionError for options that Matcher does
-   * not accept, such as Ceres in a build without it. */
+   *  not accept, such as Ceres in a build without it. */
   Options options;
 
   /** Matches two scans. Sensor poses, scanning directions, mountings upside down and fields of view
@@ -67,9 +82,10 @@ class ScanMatcher : public mrpt::slam::CMetricMapsAlignmentAlgorithm, public mrp
                                            const mrpt::poses::CPosePDFGaussian& initial,
                                            ReturnInfo* info = nullptr);
 
-  /** Matches two maps. Both are turned into scans, see polarView(): m2 as seen from the place of
-   *  its scanner, options.view.T_map_sensor, and m1 as seen from where the initial pose puts that
-   *  place.
+  /** Matches two maps, of which m1 may be made of many scans, see MapMatch. Where the points of m2
+   *  are not explained at once, both maps are also turned into scans, see polarView(), and matched
+   *  so: m2 as seen from the place of its scanner, options.view.T_map_sensor, and m1 as seen from
+   *  where the initial pose puts that place. What is found does not depend much on that place.
    *  @param outInfo filled as far as its class has fields for it: TMetricMapAlignmentResult,
    *  CICP::TReturnInfo or ReturnInfo
    *  @return a CPosePDFGaussian, the pose of m2 in the frame of m1
@@ -103,28 +119,35 @@ class ScanMatcher : public mrpt::slam::CMetricMapsAlignmentAlgorithm, public mrp
     Pose2 T_m2_current;
   };
 
-  /** Buffers that live from match to match. A copied matcher starts with its own. */
+  /** Memory that is kept from match to match. */
   struct Buffers
   {
-    Buffers() = default;
-    Buffers(const Buffers&) : Buffers() {}
-    Buffers& operator=(const Buffers&) { return *this; }
-
     MatcherWorkspace workspace;
     ScanConverter referenceConverter, currentConverter;
     Scan reference, current;
+    SurfaceField field;
   };
 
-  /** Matches the scans of the problem from an initial pose of m2 in m1.
-   *  @param[out] info all but the execution time
-   *  @return the estimate of the same pose */
-  UncertainPose solve(const Problem& problem, const UncertainPose& T_m1_m2, ReturnInfo& info);
+  /** Matches the scans of the problem from an initial pose of m2 in m1, in the frames of the
+   *  sensors. */
+  MatchResult solve(const Problem& problem, const UncertainPose& T_m1_m2, SearchScope scope,
+                    MatcherWorkspace& workspace) const;
+
+  /** Where a match of the views of two maps puts m2 in m1; none where it fails. */
+  std::optional<Pose2> poseOfViews(const MapPoints& m1, const MapPoints& m2, const Pose2& T_m1_m2,
+                                   MatcherWorkspace& workspace) const;
+
+  MatchResult matchMaps(const mrpt::maps::CMetricMap& m1, const mrpt::maps::CMetricMap& m2,
+                        const UncertainPose& guess);
+
+  /** What MRPT reports of a match; all but the execution time. */
+  ReturnInfo infoOf(const MatchResult& match) const;
 
   /** The observation as a scan. One that is tilted too far has no ray, and is warned of. */
   const Scan& planarScan(const mrpt::obs::CObservation2DRangeScan& observation,
                          ScanConverter& converter, Scan& scan) const;
   void report(const MatchResult& match) const;
 
-  Buffers buffers_;
+  LendingPool<Buffers> buffers_;
 };
 }  // namespace psmks

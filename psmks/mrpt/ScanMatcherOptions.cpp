@@ -1,4 +1,6 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
+#include <mrpt/config/CConfigFile.h>
+#include <mrpt/system/filesystem.h>
 #include <psmks/mrpt/ConfigFile.h>
 #include <psmks/mrpt/ScanMatcherOptions.h>
 
@@ -11,6 +13,11 @@ using mrpt::config::CConfigFileBase;
 OptionTable optionTable(ScanMatcherOptions& options)
 {
   OptionTable table = optionTable(options.matcher);
+  listFields(table, static_cast<RegistrationOptions&>(options));
+  table.add("guess_sigma_m", options.guessSigma_m, Unit::Metre, 1e-4, 10,
+            "standard deviation claimed of what is taken from a guess that states none");
+  table.add("guess_sigma_deg", options.guessSigma_rad, Unit::Degree, degToRad(0.001), kPi,
+            "the same of the heading");
   listFields(table, options.view);
   table.beginSection("mounting", "How a scanner sits and turns on its robot.");
   table.add("max_tilt_deg", options.maxTilt_rad, Unit::Degree, 0, degToRad(45),
@@ -34,6 +41,15 @@ void ScanMatcherOptions::loadFromConfigFile(const CConfigFileBase& source,
   OptionTable table = optionTable(loaded);
   loadOptions(table, source, section);
   *this = loaded;
+}
+
+void ScanMatcherOptions::loadFromConfigFileName(const std::string& file, const std::string& section)
+{
+  if (!mrpt::system::fileExists(file)) throw OptionError("file '" + file + "' does not exist");
+  const mrpt::config::CConfigFile source(file);
+  if (!hasStages(source, section))
+    throw OptionError("file '" + file + "' has no section [" + section + ".<stage>]");
+  loadFromConfigFile(source, section);
 }
 
 void ScanMatcherOptions::saveToConfigFile(CConfigFileBase& target, const std::string& section) const

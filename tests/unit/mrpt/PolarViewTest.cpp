@@ -135,15 +135,17 @@ COccupancyGridMap2D gridWithWall()
 }
 }  // namespace
 
-TEST(PolarView, CastsRaysThroughAGridToItsFarEnd)
+//  Ranges end in the middles of the cells, where the surface is on average, and not at their faces.
+TEST(PolarView, MeetsTheMiddlesOfTheCellsOfAGrid)
 {
   const COccupancyGridMap2D map = gridWithWall();
   const Pose2 T_map_sensor{-9.5, 0, 0};  // 19 m from the wall
   const Scan view = polarView(map, T_map_sensor, BeamGrid::centered(degToRad(40), 41), kGap_m);
-  const std::vector<Wall> wall{{{9.525, -20}, {9.525, 20}}};
+  const double middle_m = map.idx2x(map.x2idx(9.5f));
+  const std::vector<Wall> wall{{{middle_m, -20}, {middle_m, 20}}};
   EXPECT_EQ(validRays(view), 41);
-  EXPECT_LT(worstError_m(view, wall, T_map_sensor), 0.05);
-  EXPECT_NEAR(view.rangeSigma_m, 0.018, 0.001);
+  EXPECT_LT(worstError_m(view, wall, T_map_sensor), 1e-3);
+  EXPECT_NEAR(view.rangeSigma_m, 0.0144, 0.0001);
 }
 
 TEST(PolarView, LooksAtThePointsOfAMultiMetricMapElseAtItsGrid)

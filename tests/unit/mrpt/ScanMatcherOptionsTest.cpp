@@ -41,6 +41,8 @@ ScanMatcherOptions unevenOptions()
   options.view.fieldOfView_rad = 4.1;
   options.view.T_map_sensor = {0.78, -0.1 / 3, 0.7};
   options.maxTilt_rad = 0.1;
+  options.thresholdDist = 1.0 / 3;
+  options.guessSigma_rad = 0.01;
   return options;
 }
 
@@ -118,6 +120,20 @@ TEST(ScanMatcherOptions, RefusesValuesThatAreNone)
   EXPECT_TRUE(says(loadingError("[psmks.mounting]\nmax_tilt_deg = 60\n"),
                    {"max_tilt_deg", "60", "45 deg"}));
   EXPECT_TRUE(says(loadingError("[psmks.matcher]\nscheme = icp\n"), {"scheme", "icp", "joint"}));
+}
+
+TEST(ScanMatcherOptions, RefusesAFileThatIsNotThereOrHasNoSuchSection)
+{
+  const ScratchFolder folder;
+  ScanMatcherOptions options;
+  EXPECT_TRUE(says(thrownText<OptionError>(
+                       [&] { options.loadFromConfigFileName(folder.path("none.ini"), "psmks"); }),
+                   {"none.ini", "exist"}));
+  const std::string file = folder.path("options.ini");
+  unevenOptions().saveToConfigFileName(file, "psmks");
+  EXPECT_TRUE(says(thrownText<OptionError>([&] { options.loadFromConfigFileName(file, "psmsk"); }),
+                   {"options.ini", "[psmsk.<stage>]"}));
+  EXPECT_EQ(valuesOf(options), valuesOf(ScanMatcherOptions()));
 }
 
 TEST(ScanMatcherOptions, ChangesNothingWhenTheFileIsRefused)
