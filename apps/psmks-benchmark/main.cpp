@@ -9,6 +9,7 @@
 #include <apps/psmks-benchmark/logs/MapsCommand.h>
 #include <apps/psmks-benchmark/logs/SelfmatchCommand.h>
 #include <apps/psmks-benchmark/logs/StepsCommand.h>
+#include <apps/psmks-benchmark/pairs/MapPairsCommand.h>
 #include <apps/psmks-benchmark/pairs/PairsCommand.h>
 #include <apps/support/ExitCode.h>
 #include <psmks/matchers/PairMatcherRegistration.h>
@@ -76,6 +77,7 @@ ExitCode listMatchers()
 void addCommands(Commands& commands)
 {
   commands.add<PairsCommand>("pairs", "matchers on files of scan pairs");
+  commands.add<MapPairsCommand>("map-pairs", "maps of the scans of pairs, aligned by AlignPDF()");
   commands.add<ConvergenceCommand>("convergence", "how far from the truth a match may start");
   commands.add<LogsCommand>("logs", "matchers on logs of a robot");
   commands.add<StepsCommand>("steps", "matchers on scans of a log that follow each other");

@@ -19,7 +19,7 @@ TEST_F(PsmksBenchmarkMaps, EveryScanButTheFirstIsAlignedToTheMapOfThoseBefore)
   ASSERT_EQ(done.exitCode, 0) << done.errors;
   EXPECT_EQ(done.errors, "");
   ASSERT_EQ(rows().size(), 3U);
-  EXPECT_EQ(rows()[0].at("aligned_by"), "psmks, scanner told");
+  EXPECT_EQ(rows()[0].at("aligned_by"), "psmks told");
   EXPECT_EQ(rows()[2].at("aligned_by"), "icp-classic");
   for (const auto& row : rows())
   {
@@ -28,6 +28,22 @@ TEST_F(PsmksBenchmarkMaps, EveryScanButTheFirstIsAlignedToTheMapOfThoseBefore)
     EXPECT_EQ(row.at("moved"), 0);
   }
   EXPECT_EQ(rows()[0].at("refused"), 0);
+}
+
+TEST_F(PsmksBenchmarkMaps, MapsOfPairsAreAlignedByBothAlgorithms)
+{
+  const ProgramRun done = run("map-pairs rays361 --pairs 5");
+  ASSERT_EQ(done.exitCode, 0) << done.errors;
+  ASSERT_EQ(rows().size(), 6U);
+  EXPECT_EQ(rows()[0].at("maps"), "points to points");
+  EXPECT_EQ(rows()[0].at("aligned_by"), "psmks");
+  EXPECT_EQ(rows()[0].at("refused"), 0);
+  EXPECT_LT(rows()[0].at("error_median_mm"), 10);
+  EXPECT_EQ(rows()[4].at("maps"), "grid to grid");
+  EXPECT_EQ(rows()[4].at("refused"), 0);
+  EXPECT_EQ(rows()[5].at("refused"), 5) << "MRPT's ICP aligns no grids";
+  expectUsageError("map-pairs rays361 --cell_m 0", "--cell_m");
+  expectUsageError("map-pairs", "SET");
 }
 
 TEST_F(PsmksBenchmarkMaps, WhatCannotBeAcceptedSaysWhy)

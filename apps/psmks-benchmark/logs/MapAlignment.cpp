@@ -6,6 +6,7 @@
 #include <psmks/logs/RawlogWriter.h>
 #include <psmks/mrpt/Convert.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace psmks
@@ -16,6 +17,17 @@ using mrpt::maps::CSimplePointsMap;
 using mrpt::poses::CPose3D;
 using mrpt::poses::CPosePDFGaussian;
 using mrpt::slam::CICP;
+
+/** Whether the odometry moves at some time; a log without odometry has none that does. */
+bool isOdometryKnown(const std::vector<LogScan>& scans)
+{
+  return std::any_of(scans.begin(), scans.end(),
+                     [](const LogScan& scan)
+                     {
+                       const Pose2 motion = scan.odometry.value_or(Pose2());
+                       return motion.x_m != 0 || motion.y_m != 0 || motion.phi_rad != 0;
+                     });
+}
 
 /** Where the robot is, and what it has mapped. */
 class MapFollower
@@ -101,11 +113,16 @@ MapAlignment followByMap(const std::vector<LogScan>& scans,
                          const MapGrowth& growth, const OdometryOptions& odometry)
 {
   MapFollower follower(algorithm, growth);
+  const bool isPredicted = isOdometryKnown(scans);
   for (std::size_t s = 0; s < scans.size(); ++s)
+  {
+    const Pose2 motion = scans[s].odometry.value_or(Pose2());
     if (s == 0)
       follower.start(scans[s]);
     else
-      follower.follow(scans[s], odometryCovariance(scans[s].odometry.value_or(Pose2()), odometry));
+      follower.follow(scans[s],
+                      isPredicted ? odometryCovariance(motion, odometry) : Eigen::Matrix3d::Zero());
+  }
   return std::move(follower.result);
 }
 }  // namespace psmks

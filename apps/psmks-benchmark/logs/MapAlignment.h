@@ -30,7 +30,7 @@ struct MapAlignment
 /** Follows a robot as mrpt::slam::CMetricMapBuilderICP does: the odometry predicts, the point map
  * of the scan is aligned to that of the scans so far, and the scan is added where the robot has
  * moved far enough. A refused alignment leaves the prediction.
- *  @param odometry covariance of the prediction */
+ *  @param odometry makes the covariance of the prediction; a log without odometry has none */
 MapAlignment followByMap(const std::vector<LogScan>& scans,
                          mrpt::slam::CMetricMapsAlignmentAlgorithm& algorithm,
                          const MapGrowth& growth, const OdometryOptions& odometry);
