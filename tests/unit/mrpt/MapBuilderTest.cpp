@@ -86,9 +86,11 @@ class MapBuilderTest : public testing::Test
     CActionCollection actions;
     CActionRobotMovement2D movement;
     movement.computeFromOdometry(i == 0 ? CPose2D() : measuredStep_, {});
+    const CObservation2DRangeScan::Ptr scan = scanAt(i);
+    movement.timestamp = scan->timestamp;
     actions.insert(movement);
     CSensoryFrame frame;
-    frame.insert(scanAt(i));
+    frame.insert(scan);
     builder.processActionObservation(actions, frame);
   }
 
