@@ -3,8 +3,8 @@
 
 namespace psmks
 {
-/** Lets SIGINT, SIGTERM and SIGHUP ask the program to stop in place of ending it, once each: the
- * same signal again ends it at once. SIGHUP stays ignored where it is, as under nohup. */
+/** Lets SIGINT, SIGTERM and SIGHUP ask the program to stop in place of ending it. One that comes
+ * two seconds later or more ends it at once. SIGHUP stays ignored where it is, as under nohup. */
 void catchStopSignals();
 
 /** The signal that asked the program to stop; 0 where none did. Work that takes long looks at it
