@@ -122,7 +122,7 @@ class Pairing
     if (!(shared.count() >= kFewestShared)) return;
     const AnchoredLine& ref = ref_.lines[r];
     const double sine = ref.normal.x() * normal.y() - ref.normal.y() * normal.x();
-    if (ref.normal.dot(normal) <= 0 || std::abs(sine) > largestSine(ref, cur_.lines[c])) return;
+    if (ref.normal.dot(normal) <= 0 || std::abs(sine) > largestSine_) return;
     const double curDistance_m = normal.dot(pointOnCurrent_m);
     const double refDistance_m = ref_.lineFeatures[r].line.r0_m;
     for (const double at : {shared.first, shared.last})
@@ -136,17 +136,6 @@ class Pairing
     }
     addPair(c, r);
     associations_ += static_cast<int>(shared.count());
-  }
-
-  /** The gate of angles, as a sine, and no less than what noise alone turns two lines of one wall
-   * against each other. */
-  double largestSine(const AnchoredLine& ref, const AnchoredLine& cur) const
-  {
-    /** Smallest gate of angles. Unit: standard deviations of the angle between both lines.
-     * Evidence: 2 of them hold 95 % of normal errors; docs/tried.md. */
-    constexpr double kNoise = 2;
-    return std::max(largestSine_,
-                    kNoise * std::sqrt(ref.angleVariance_rad2 + cur.angleVariance_rad2));
   }
 
   void addPair(std::size_t c, std::size_t r)

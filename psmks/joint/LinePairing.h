@@ -26,8 +26,7 @@ struct PairingGates
  *
  *  Lines (paper, section 2.1): a current segment goes with every reference segment that it covers
  *  when seen from the reference viewpoint, where both stand within the gates over the rays they
- *  share and are seen from the same side. The gate of angles is no narrower than two standard
- *  deviations of the angle between both lines: short lines are turned by their noise.
+ *  share and are seen from the same side.
  *
  *  Where PairingGates::pairShortLinesAndCircles is set, short lines are paired in the same way, and
  *  segments that are part of an arc are not. Circles are paired by pairCircles(): each is the

@@ -195,23 +195,4 @@ TEST(LinePairing, TheSlackOfAStartWidensSingleRays)
   EXPECT_NEAR(weight / slack.rays[0].information - weight / tight.rays[0].information, 0.02 * 0.02,
               1e-9);
 }
-
-//        |  /
-//     o  | /      3 degrees apart, the gate is 2: a pair only if noise may have turned one of them
-//        |/
-TEST(LinePairing, ALineThatNoiseMayHaveTurnedPairsBeyondTheGate)
-{
-  Scene scene({{{2, -2}, {2, 2}}}, {}, BeamGrid::centered(degToRad(40), 41));
-  const Pose2 turned{0, 0, degToRad(3)};
-  const PairingGates gates{0.20, degToRad(2), 0.5};
-  JointProblem known, uncertain;
-  associateFeatures(scene.reference, scene.current, turned, gates, known);
-  EXPECT_TRUE(known.linePairs.empty());
-
-  Eigen::Matrix2d& covariance = scene.currentScan.segments[0].line.covariance;
-  covariance *= degToRad(2) * degToRad(2) / covariance(1, 1);
-  scene.current.build(scene.currentScan);
-  associateFeatures(scene.reference, scene.current, turned, gates, uncertain);
-  EXPECT_EQ(uncertain.linePairs.size(), 1u);
-}
 }  // namespace psmks
