@@ -61,7 +61,7 @@ class MapBuilder : public mrpt::slam::CMetricMapBuilder
   ObservationSlamOptions psmks_options;  //!< taken over by initialize()
 
   /** Loads ICP_options from the section of icp-slam's ini files, and the options of matching from
-   *  the sections [PSMKS.<stage>] beside it, where there are any.
+   *  the sections `[PSMKS.stage]`, one for each stage, beside it, where there are any.
    *  @throws OptionError for options of psmks that cannot be accepted */
   void loadOptions(const mrpt::config::CConfigFileBase& file,
                    const std::string& section = "MappingApplication");
