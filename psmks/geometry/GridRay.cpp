@@ -33,6 +33,7 @@ void GridRay::clip(int axis, double origin_m, double slope)
 
 GridRay::Axis GridRay::startAxis(int axis, int index, double origin_m, double slope) const
 {
+  /** Where a ray meets a border that it runs along. Definition: never. */
   constexpr double kNever_m = std::numeric_limits<double>::infinity();
   const int count = axis == 0 ? grid_.columns() : grid_.rows();
   if (slope == 0) return {index, 0, count, kNever_m, kNever_m};

@@ -18,6 +18,7 @@ class UniformGrid
   UniformGrid(const Eigen::Vector2d& low_m, const Eigen::Vector2d& high_m, double cell_m,
               int maxCells = kMaxCells);
 
+  /** Most cells of a grid. Unit: cells. Definition: they take some tens of megabytes. */
   static constexpr int kMaxCells = 1 << 22;
 
   int columns() const { return columns_; }

@@ -47,6 +47,7 @@ double median(std::vector<double>& values)
   return *middle;
 }
 
+/** Stands for a range that there is not. Unit: m. Definition: compares with none. */
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
@@ -133,9 +134,13 @@ double Deskewer::bendAt_m(std::size_t ray, std::size_t firstStep, std::size_t se
  * the other side of it. Where both sides are straight and end at the ray, or none is, it is 0. */
 double Deskewer::slopeAt(std::size_t ray) const
 {
-  /** Bends beyond which three rays are on no straight surface: in multiples of the median bend, and
-   * where most rays of a scan are in foliage by noise of 1 cm. Evidence: measured. */
-  constexpr double kLargestBend = 3, kLargestBend_m = 0.07;
+  /** Bend beyond which three rays are on no straight surface. Unit: median bends of the scan.
+   * Definition: two standard deviations of normal noise. */
+  constexpr double kLargestBend = 3;
+
+  /** The same where most rays of a scan are in foliage. Definition: three standard deviations of
+   * the bend of ranges with a noise of 1 cm. */
+  constexpr double kLargestBend_m = 0.07;
   const double limit_m = std::min(kLargestBend_m, kLargestBend * typicalBend_m_);
   const std::size_t apart = static_cast<std::size_t>(turns_), rays = range_m_.size();
   const auto isStraight = [&](std::size_t step)

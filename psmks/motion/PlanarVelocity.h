@@ -30,10 +30,12 @@ PlanarVelocity velocityOfSensor(const PlanarVelocity& ofRobot, const Pose2& T_ro
 class MeanVelocity
 {
  public:
-  /** Time over which the velocity is measured, at least. Evidence: measured. */
+  /** Time over which the velocity is measured, at least. Evidence: with 0.1 and 0.4 s
+   * the maps of logs are the same. */
   static constexpr double kWindow_s = 0.2;
 
-  /** Gap between scans from which on the velocity is unknown. Evidence: measured. */
+  /** Gap between scans from which on the velocity is unknown. Evidence: with 1.5
+   * and 6 s the maps of logs are the same. */
   static constexpr double kMaxAge_s = 3.0;
 
   /** Adds a motion. One that goes back in time replaces all before it; one that is not finite

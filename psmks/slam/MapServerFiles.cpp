@@ -11,6 +11,8 @@ namespace
 /** The pixel of a cell, see writeMapServerPicture(). */
 char pixelOf(OccupancyGrid::Cell cell)
 {
+  /** Grey of free, occupied and unknown cells. Unit: levels of 255. Definition: what map_server
+   * writes, but for unknown ones, which lie between both. */
   constexpr unsigned char kFree = 254, kOccupied = 0, kUnknown = 128;
   if (cell == OccupancyGrid::Cell::Unknown) return static_cast<char>(kUnknown);
   return static_cast<char>(cell == OccupancyGrid::Cell::Free ? kFree : kOccupied);
@@ -33,7 +35,8 @@ void writeMapServerPicture(std::ostream& out, const OccupancyGrid& grid)
 void writeMapServerYaml(std::ostream& out, const OccupancyGrid& grid,
                         const std::string& pictureFile)
 {
-  /** Digits of lengths in m. Definition: below a micrometre in a world of kilometres. */
+  /** Digits of lengths in m. Unit: digits. Definition: below a micrometre in a world of kilometres.
+   */
   constexpr int kDigits = 10;
   const UniformGrid& frame = grid.frame();
   out << std::setprecision(kDigits) << "image: " << pictureFile

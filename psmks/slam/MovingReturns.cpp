@@ -122,7 +122,9 @@ std::vector<std::size_t> MovingReturns::witnessesOf(std::size_t index) const
 
 std::vector<std::uint8_t> MovingReturns::of(std::size_t index) const
 {
-  /** So many witnesses outweigh an error of one of them. Unit: scans. */
+  /** So many witnesses outweigh an error of one of them. Unit: scans. Definition: one more than
+   * one.
+   */
   constexpr int kFewest = 2;
   const PosedScan& posed = scans_[index];
   const auto rays = static_cast<std::size_t>(posed.scan.grid.count());

@@ -50,7 +50,7 @@ UniformGrid frameAround(const Eigen::AlignedBox2d& bounds)
   /** Size of a cell. Unit: m. Definition: that of most maps of robots. */
   constexpr double kCell_m = 0.05;
 
-  /** Most cells. Definition: 290 by 290 m in cells of 5 cm. */
+  /** Most cells. Unit: cells. Definition: 290 by 290 m in cells of 5 cm. */
   constexpr int kMostCells = 1 << 25;
   if (bounds.isEmpty()) return {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), kCell_m};
   const Eigen::Vector2d low = (bounds.min() / kCell_m).array().floor() - 1;
@@ -85,6 +85,7 @@ void OccupancyGrid::addRay(const Eigen::Vector2d& from_m, const Eigen::Vector2d&
 void OccupancyGrid::change(int cell, int by)
 {
   Evidence& evidence = evidence_[static_cast<std::size_t>(cell)];
+  /** Most evidence of a cell. Unit: counts. Definition: what its type holds. */
   constexpr int kMost = std::numeric_limits<Evidence>::max();
   evidence = static_cast<Evidence>(std::clamp(evidence + by, -kMost, kMost));
 }
