@@ -26,14 +26,15 @@ void dropRaysFrom(int first, Scan& scan)
   if (!scan.valid.empty()) scan.valid.resize(rays);
 }
 
-/** The grid of a scan whose scanner turns during the sweep, seen from the middle of the scan; an
+/** The grid of a scan whose scanner turns during the sweep, seen from the pose of the scan; an
  * empty one where the scanner turns back faster than the beam goes round. */
 BeamGrid sweptGrid(const Scan& scan, double turnRate_rad_s)
 {
   const int rays = scan.grid.count();
   const double turned_rad = turnRate_rad_s * scan.sweepDuration_s;
   if (turned_rad == 0) return scan.grid;
-  const double first_rad = scan.grid.firstBearing_rad() - turned_rad / 2;
+  const double before_rad = scan.interleavedTurns > 1 ? turned_rad / 2 : 0;
+  const double first_rad = scan.grid.firstBearing_rad() - before_rad;
   const double increment_rad = scan.grid.increment_rad() + turned_rad / (rays - 1);
   if (!BeamGrid::accepts(first_rad, increment_rad, 1)) return {};
   return {first_rad, increment_rad, std::min(rays, raysOfCircle(increment_rad))};

@@ -11,7 +11,7 @@
 namespace psmks
 {
 /** Corrects scans for the motion of the scanner while it took them, so that all rays are as if cast
- * from its pose in the middle of the scan (docs/derivations.md, "Sweeps").
+ * from one pose (docs/derivations.md, "Sweeps").
  *
  *     turn 0    0   2   4   6     a scanner that turns meanwhile: the rays of the second turn
  *     turn 1        1   3   5   7    lie on other bearings than in between those of the first
@@ -28,8 +28,9 @@ namespace psmks
  * Translation during a scan of one turn is not corrected. Rays whose turn did not reach as far are
  * NaN. Where the rays would cover more than a full circle, the last ones are dropped.
  *
- * The pose of a scan is that in its middle, half a scan after its first ray: the same delay in all
- * scans of a scanner. */
+ * The pose of a scan of one turn is that at its first ray, and so at its stamp. Of several turns it
+ * is that in the middle of the scan, for which ranges are corrected least: half a scan after its
+ * first ray, the same delay in all scans of a scanner. */
 class Deskewer
 {
  public:

@@ -43,7 +43,7 @@ struct Scene
   double sigma_m = 0;
 };
 
-/** A scan from a sensor that moves with a constant velocity. */
+/** A scan from a sensor that moves with a constant velocity, seen from the pose of the scan. */
 Scan scanOf(const BeamGrid& grid, const BeamTiming& timing, const PlanarVelocity& velocity,
             const Scene& scene = {})
 {
@@ -54,7 +54,8 @@ Scan scanOf(const BeamGrid& grid, const BeamTiming& timing, const PlanarVelocity
   setTiming(timing, scan);
   for (int ray = 0; ray < grid.count(); ++ray)
   {
-    const double time_s = sinceMiddle_s(scan, ray);
+    const bool isOneTurn = scan.interleavedTurns == 1;
+    const double time_s = isOneTurn ? sinceFirstRay_s(scan, ray) : sinceMiddle_s(scan, ray);
     const Eigen::Vector2d from_m(time_s * velocity.x_m_s, time_s * velocity.y_m_s);
     scan.range_m.push_back(
         roomRange_m(from_m, grid.bearing_rad(ray) + time_s * velocity.phi_rad_s, scene.hasPillar) +
