@@ -11,7 +11,7 @@ namespace
 constexpr double kStartDistance_m = 2;  // least distance of people from the robot at its start
 constexpr int kStrollWays = 12;         // straight walks of a person before those that are recorded
 constexpr int kWays = 4;
-constexpr int kTries = 100;
+constexpr int kTriesPerPerson = 100;
 
 MovingObject person(std::vector<Eigen::Vector2d> path_m, std::mt19937_64& random)
 {
@@ -29,7 +29,7 @@ std::vector<MovingObject> peopleAround(const Surroundings& surroundings,
   std::seed_seq ofPeople{seed, 3U};  // simulate() uses 1 and 2
   std::mt19937_64 random(ofPeople);
   std::vector<MovingObject> people;
-  for (int i = 0; i < count * kTries && static_cast<int>(people.size()) < count; ++i)
+  for (int i = 0; i < count * kTriesPerPerson && static_cast<int>(people.size()) < count; ++i)
   {
     Walker walker(surroundings, place_m, {}, random);
     if (!walker.walkOn(kStrollWays + kWays)) return people;
