@@ -60,7 +60,7 @@ struct Registration
 class MapRegistration
 {
  public:
-  /** All arguments must outlive the registration.
+  /** The points and the map must outlive the registration.
    *  @param points_m in their own frame
    *  @param pointSigma_m standard deviation of a point about its surface
    *  @param map in a frame that has the axes of the map, with its origin near the pose that is
@@ -123,6 +123,6 @@ class MapRegistration
   double pointVariance_m2_;
   SurfaceField& map_;
   Eigen::Vector2d origin_m_;
-  const RegistrationOptions& options_;
+  RegistrationOptions options_;
 };
 }  // namespace psmks
