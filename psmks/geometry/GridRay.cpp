@@ -38,7 +38,8 @@ GridRay::Axis GridRay::startAxis(int axis, int index, double origin_m, double sl
   const int count = axis == 0 ? grid_.columns() : grid_.rows();
   if (slope == 0) return {index, 0, count, kNever_m, kNever_m};
   const int step = slope > 0 ? 1 : -1;
-  const double border_m = grid_.low_m()[axis] + (index + (step + 1) / 2) * grid_.cell_m();
+  const int border = slope > 0 ? index + 1 : index;
+  const double border_m = grid_.low_m()[axis] + border * grid_.cell_m();
   return {index, step, count, (border_m - origin_m) / slope, grid_.cell_m() / std::abs(slope)};
 }
 }  // namespace psmks

@@ -116,6 +116,7 @@ std::vector<std::size_t> MovingReturns::witnessesOf(std::size_t index) const
   std::sort(near.begin(), near.end());
   if (near.size() > kMost) near.resize(kMost);
   std::vector<std::size_t> witnesses;
+  witnesses.reserve(near.size());
   for (const auto& [apart_m, reference] : near) witnesses.push_back(reference);
   return witnesses;
 }
