@@ -109,8 +109,8 @@ void MapBuilder::addKnownFrames(const CSimpleMap& known)
 void MapBuilder::processActionObservation(mrpt::obs::CActionCollection& action,
                                           CSensoryFrame& frame)
 {
-  if (!slam_) initialize();
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (!slam_) restart();
   if (const auto movement = action.getBestMovementEstimation())
     slam_->addMotion(movement->poseChange->getMeanVal());
   for (const CObservation::Ptr& observation : frame) observe(observation);
@@ -118,8 +118,8 @@ void MapBuilder::processActionObservation(mrpt::obs::CActionCollection& action,
 
 void MapBuilder::processObservation(const CObservation::Ptr& observation)
 {
-  if (!slam_) initialize();
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (!slam_) restart();
   observe(observation);
 }
 

@@ -26,7 +26,8 @@ namespace psmks
  *  - Every CObservation2DRangeScan is used to localise. Where the robot has moved or turned so far
  *    since the last insertion of its sensor, an observation of any kind is inserted into the maps.
  *  - When a loop that closes moves earlier poses, the metric maps are cleared and filled anew from
- * the moved poses, so that they always show what the CSimpleMap holds.
+ *    the moved poses, so that they always show what the CSimpleMap holds. All poses are optimised
+ *    with each insertion, which takes the longer the longer the log.
  *  - The frame of the maps is that of the robot at the first scan, or the one of `x0` and of the
  *    initial map of initialize(). The scans of an initial map are given to the SLAM first, with the
  *    motions between their poses as odometry.
@@ -97,7 +98,7 @@ class MapBuilder : public mrpt::slam::CMetricMapBuilder
   void saveCurrentEstimationToImage(const std::string& file, bool formatEMF_BMP = true) override;
 
   /** The scans with their poses and matches in the frame of the first one, as
-   *  ObservationSlam::scans(). */
+   *  ObservationSlam::scans(). Not to be called before initialize() or the first observation. */
   const std::vector<PosedScan>& scans() const { return slam_->scans(); }
 
  private:
