@@ -29,6 +29,12 @@ struct Scan
   double turn_s = 0;         //!< time from turn to turn; 0 = unknown
 };
 
+/** Whether a scan has one range for each ray of its grid. */
+inline bool isWellFormed(const Scan& scan)
+{
+  return scan.range_m.size() == static_cast<std::size_t>(scan.grid.count());
+}
+
 /** Whether a ray met something, by what the scan itself says of it.
  *  @param ray within the grid; the scan has as many ranges as its grid has rays */
 inline bool isReturn(const Scan& scan, int ray)

@@ -87,7 +87,7 @@ bool Deskewer::prepare(const Scan& scan)
   const int rays = scan.grid.count();
   turns_ = std::max(1, scan.interleavedTurns);
   const bool isTimed = scan.sweepDuration_s != 0 || (turns_ > 1 && scan.turn_s != 0);
-  if (rays < 2 || !isTimed || scan.range_m.size() != static_cast<std::size_t>(rays)) return false;
+  if (rays < 2 || !isTimed || !isWellFormed(scan)) return false;
   grid_ = scan.grid;
   range_m_.resize(scan.range_m.size());
   time_s_.resize(scan.range_m.size());

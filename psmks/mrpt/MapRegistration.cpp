@@ -49,6 +49,21 @@ Eigen::Matrix3d withoutTilt(const Eigen::Matrix3d& information, const Eigen::Mat
   return withoutDirection({information, Eigen::Vector3d::Zero()}, u).H;
 }
 
+/** The information that points on one surface hold, over what they held if their errors were
+ * independent. With k of them and n of the reference in a window, the distance between both has the
+ * variance s^2 / k + s^2 / (n / 3) + t^2: a point of the reference lies in three windows along a
+ * wall, and the thickness t of the surface beyond the noise s is an error that all k share. */
+double independentShare(const Surface& surface, int points, double pointVariance_m2)
+{
+  constexpr double kWindowsOfAPoint = 3;
+  const double thickness_m2 = surface.acrossVariance_m2;
+  const double ifIndependent = (pointVariance_m2 + thickness_m2) / points;
+  const double shared = pointVariance_m2 / points +
+                        kWindowsOfAPoint * pointVariance_m2 / surface.points +
+                        std::max(0.0, thickness_m2 - pointVariance_m2);
+  return std::min(1.0, ifIndependent / shared);
+}
+
 /** Geman and McClure's kernel. */
 double kernelWeight(double mahalanobis2)
 {
@@ -182,16 +197,11 @@ MapRegistration::NormalSums MapRegistration::linearise(const Motion& motion, con
   return sums;
 }
 
-/** Sums the information of the points surface by surface. With k points of the current map and n of
- * the reference in a window, the distance between both has the variance s^2 / k + s^2 / (n / 3) +
- * t^2: a point of the reference lies in three windows along a wall, and the thickness t of the
- * surface beyond the noise s is an error that all k points share. Normals that are tilted by the
- * noise make a bare wall look as if it fixed the place along it; where that is all that is known,
- * nothing is. */
+/** Sums the information of the points surface by surface. Normals that are tilted by the noise make
+ * a bare wall look as if it fixed the place along it; where that is all that is known, nothing is.
+ */
 void MapRegistration::inform(const Motion& motion, Registration& registration)
 {
-  constexpr double kWindowsOfAPoint = 3;
-
   /** What the errors of normals may add up to. Unit: means. Definition: 95 % of the squares of
    * errors are below four times their mean. */
   constexpr double kOfTilt = 4;
@@ -222,12 +232,7 @@ void MapRegistration::inform(const Motion& motion, Registration& registration)
   Eigen::Matrix3d ofTilt = Eigen::Matrix3d::Zero();
   for (const OfSurface& of : surfaces)
   {
-    const double thickness_m2 = of.surface->acrossVariance_m2;
-    const double ifIndependent = (pointVariance_m2_ + thickness_m2) / of.points;
-    const double shared = pointVariance_m2_ / of.points +
-                          kWindowsOfAPoint * pointVariance_m2_ / of.surface->points +
-                          std::max(0.0, thickness_m2 - pointVariance_m2_);
-    const double share = std::min(1.0, ifIndependent / shared);
+    const double share = independentShare(*of.surface, of.points, pointVariance_m2_);
     registration.information += share * of.H;
     ofTilt += share * of.ofTilt;
   }

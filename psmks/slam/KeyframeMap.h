@@ -21,7 +21,7 @@ namespace psmks
  *
  * With ReferenceChoice::Keyframe places are not recognised: one keyframe is the reference for as
  * long as ReferencePolicy says, so that TrajectoryBuilder calls neither nearest() nor covers() nor
- * loopCandidates(), and around() asks the last few keyframes only.
+ * possiblePlaces(), and around() asks the last few keyframes only.
  *
  * Keyframes are named by the indices of their scans in a trajectory. The caller passes the same
  * trajectory in every call, and the map keeps the poses of its keyframes up to date. */

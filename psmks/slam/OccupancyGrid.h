@@ -18,7 +18,7 @@ namespace psmks
  *                                ? unknown: no ray was there
  *
  * A cell is occupied where more than a quarter of the rays that met it ended in it, and free where
- * fewer did. A ray without a return says nothing. */
+ * fewer did. It is unknown where just a quarter did, too. A ray without a return says nothing. */
 class OccupancyGrid
 {
  public:

@@ -6,15 +6,6 @@
 
 namespace psmks
 {
-namespace
-{
-/** Whether the scan has one range for each ray. */
-bool isWellFormed(const Scan& scan)
-{
-  return scan.range_m.size() == static_cast<std::size_t>(scan.grid.count());
-}
-}  // namespace
-
 Overlap::Overlap(const Scan& reference, const Scan& current, int stride) : reference_(reference)
 {
   if (!isWellFormed(reference) || !isWellFormed(current)) return;

@@ -23,7 +23,7 @@ struct ScanMap
   std::vector<Eigen::Vector2d> points_m;  //!< the valid returns of all scans, but for the moving
   std::vector<Eigen::Vector2d> moving_m;  //!< returns of what has moved, see MovingReturns
   std::vector<Wall> walls;                //!< the segments of the scans that were references, but
-                                          //!< for those that most rays of which met what has moved
+                                          //!< for those of which most rays met what has moved
   std::vector<Pose2> path;                //!< T_world_robot, one for each scan
   std::vector<Pose2> odometryPath;        //!< T_world_odometry, one for each scan; empty where the
                                           //!< odometry never moved

@@ -25,8 +25,8 @@ namespace psmks
  * Each scan passes these steps:
  *
  * 1. Predict: the motion since the scan before is that of the odometry, or without odometry the
- *    last motion that scans measured, going on (SteadyMotion). It deskews
- *    the scan (SequenceDeskewer).
+ *    last motion that scans measured, going on (SteadyMotion). It deskews the scan
+ *    (SequenceDeskewer).
  * 2. Choose the reference: with a map the nearest keyframe that saw enough of the scan, else the
  *    one that stands.
  * 3. Match against the reference, with the prediction and its covariance as a prior. Where that

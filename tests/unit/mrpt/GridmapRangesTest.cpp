@@ -3,7 +3,6 @@
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/serialization/CArchive.h>
 #include <psmks/geometry/Angle.h>
-#include <psmks/mrpt/Compat.h>
 #include <psmks/mrpt/GridmapRanges.h>
 #include <tests/support/Says.h>
 #include <tests/support/ScratchFolder.h>
@@ -15,6 +14,22 @@ namespace psmks
 {
 namespace
 {
+/** Step of a grid map's ray caster, in cells, where it is an option of each map: MRPT 3. */
+template <class GridMap>
+auto raytraceStep_cells(const GridMap& map)
+    -> decltype(double(map.insertionOptions.raytraceStepSizeInCellUnits))
+{
+  return map.insertionOptions.raytraceStepSizeInCellUnits;
+}
+
+/** The same where it is a static member of the class: MRPT 2. */
+template <class GridMap>
+auto raytraceStep_cells(const GridMap&)
+    -> decltype(double(GridMap::RAYTRACE_STEP_SIZE_IN_CELL_UNITS))
+{
+  return GridMap::RAYTRACE_STEP_SIZE_IN_CELL_UNITS;
+}
+
 using mrpt::maps::COccupancyGridMap2D;
 
 constexpr float kFree = 1, kSolid = 0, kUnknown = 0.5f;
@@ -102,7 +117,7 @@ TEST(GridmapRanges, AgreeWithMrptsSimulationWithinItsSteps)
   map.fill(kFree);
   const int wall = map.x2idx(3.0);
   for (int row = 0; row < static_cast<int>(map.getSizeY()); ++row) map.setCell(wall, row, kSolid);
-  const double step_m = compat::raytraceStep_cells(map) * map.getResolution();
+  const double step_m = raytraceStep_cells(map) * map.getResolution();
   const GridmapRanges ranges(map);
   for (int bearing_deg = -45; bearing_deg <= 45; bearing_deg += 3)
   {
