@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <utility>
 
 namespace psmks
@@ -69,10 +70,12 @@ std::vector<DriveStretch> follow(const Recording& recording, TrajectoryBuilder& 
 
 bool isWrong(const ReferenceMatch& link, const Pose2& T_ref_cur, const ReferencePolicy& policy)
 {
-  /** An error that a robot would notice. */
+  /** Errors up to which a link is not wrong. Definition: those of silent errors in the paper's
+   * experiments. */
   constexpr double kWrong_m = 0.1, kWrong_rad = degToRad(2);
 
-  /** How much more than it claims. Unit: standard deviations. */
+  /** Errors up to which a link claims them. Unit: standard deviations. Definition: one of two
+   * million normal errors is larger. */
   constexpr double kSigmas = 5;
   const PoseLink claimed{0, 1, link.T_ref_cur.pose, policy.linkInformation(link.information)};
   const Eigen::Vector3d error = linkError(claimed, Pose2(), T_ref_cur);
@@ -111,19 +114,6 @@ std::size_t countOffWalls(const World& world, const Pose2& T_world_start, const 
       }));
 }
 
-/** @param T_world_robot in the frame of the world */
-void measure(const Recording& recording, const std::vector<Pose2>& T_world_robot, double& mean_m,
-             double& max_m)
-{
-  mean_m = max_m = 0;
-  for (std::size_t s = 0; s < T_world_robot.size(); ++s)
-  {
-    const Eigen::Vector2d truth_m = recording.scans[s].T_world_robot.translation();
-    const double error_m = (T_world_robot[s].translation() - truth_m).norm();
-    mean_m += error_m / static_cast<double>(T_world_robot.size());
-    max_m = std::max(max_m, error_m);
-  }
-}
 }  // namespace
 
 DriveCourse followDrive(const Drive& drive, const SlamOptions& options,
@@ -139,15 +129,15 @@ DriveCourse followDrive(const Drive& drive, const SlamOptions& options,
   std::vector<Pose2> T_world_robot;
   for (const PosedScan& scan : builder.scans())
     T_world_robot.push_back(T_world_start * scan.T_world_robot.pose);
-  measure(recording, T_world_robot, course.mean_m, course.max_m);
-  double floorMax_m = 0;
+  std::vector<std::size_t> all(builder.scans().size());
+  std::iota(all.begin(), all.end(), 0);
+  course.drift = driftFigures(recording, T_world_robot, all);
   const DriftBound floor(drive.site.world, recording, drive.simulation);
-  measure(recording, floor.settledPoses(driftBoundSteps(builder.scans())), course.floor_m,
-          floorMax_m);
+  course.floor = driftFigures(recording, floor.settledPoses(driftBoundSteps(builder.scans())), all);
   course.wrongLinks =
       countWrongLinks(recording, builder.scans(), ReferencePolicy(options.reference));
-  course.peopleSegments = countOffWalls(drive.site.world, T_world_start,
-                                        makeScanMap(builder.scans(), options.matching.matcher));
+  course.segmentsOffWalls = countOffWalls(drive.site.world, T_world_start,
+                                          makeScanMap(builder.scans(), options.matching.matcher));
   return course;
 }
 }  // namespace psmks

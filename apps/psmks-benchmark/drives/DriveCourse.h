@@ -1,7 +1,7 @@
 /* psmks: polar scan matching based on Kalman segmentation. BSD-3-Clause, see LICENSE. */
 #pragma once
 
-#include <apps/psmks-benchmark/experiments/Drive.h>
+#include <apps/psmks-benchmark/experiments/MethodRun.h>
 #include <apps/support/SlamOptions.h>
 
 #include <functional>
@@ -23,10 +23,12 @@ struct DriveStretch
 struct DriveCourse
 {
   std::vector<DriveStretch> tenths;  //!< ten, of equally many scans
-  double mean_m = 0, max_m = 0;      //!< errors of the settled positions, the start given
-  double floor_m = 0;  //!< mean error if each match had that of maximum likelihood, see DriftBound
-  std::size_t peopleSegments = 0;  //!< of the map, that stand on no wall
-  std::size_t wrongLinks = 0;      //!< that pull a keyframe away from where it was
+  DriftFigures drift;                //!< errors of the settled poses, the start given
+  DriftFigures floor;  //!< the same if each match had the error of maximum likelihood, see
+                       //!< DriftBound
+  std::size_t segmentsOffWalls = 0;  //!< of the map, 30 cm or more from any wall: people, and what
+                                     //!< is drawn in a wrong place
+  std::size_t wrongLinks = 0;        //!< that pull a keyframe away from where it was
 
   /** The time of a scan in the last tenth over that in the first one. */
   double slowdown() const { return tenths.back().scan_s / tenths.front().scan_s; }

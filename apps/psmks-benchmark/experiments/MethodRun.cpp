@@ -15,23 +15,6 @@ constexpr double kSilentError_rad = degToRad(2);
 
 constexpr double kWallEnd_m = 0.03;
 
-DriftFigures driftFigures(const Recording& recording, const std::vector<Pose2>& T_world_robot,
-                          const std::vector<std::size_t>& scans)
-{
-  DriftFigures drift;
-  for (const std::size_t s : scans)
-  {
-    const Pose2& truth = recording.scans[s].T_world_robot;
-    const double error_m = (T_world_robot[s].translation() - truth.translation()).norm();
-    const double error_rad = std::abs(wrapAngle(T_world_robot[s].phi_rad - truth.phi_rad));
-    drift.mean_m += error_m / static_cast<double>(scans.size());
-    drift.mean_rad += error_rad / static_cast<double>(scans.size());
-    drift.max_m = std::max(drift.max_m, error_m);
-    drift.max_rad = std::max(drift.max_rad, error_rad);
-  }
-  return drift;
-}
-
 Pose2 trueMotion(const Recording& recording, std::size_t from, std::size_t to)
 {
   return recording.scans[from].T_world_robot.inverse() * recording.scans[to].T_world_robot;
@@ -114,6 +97,23 @@ double shareOfEndsOnWalls(const World& world, const Pose2& T_world_start, const 
   return ends > 0 ? static_cast<double>(onWalls) / ends : 0;
 }
 }  // namespace
+
+DriftFigures driftFigures(const Recording& recording, const std::vector<Pose2>& T_world_robot,
+                          const std::vector<std::size_t>& scans)
+{
+  DriftFigures drift;
+  for (const std::size_t s : scans)
+  {
+    const Pose2& truth = recording.scans[s].T_world_robot;
+    const double error_m = (T_world_robot[s].translation() - truth.translation()).norm();
+    const double error_rad = std::abs(wrapAngle(T_world_robot[s].phi_rad - truth.phi_rad));
+    drift.mean_m += error_m / static_cast<double>(scans.size());
+    drift.mean_rad += error_rad / static_cast<double>(scans.size());
+    drift.max_m = std::max(drift.max_m, error_m);
+    drift.max_rad = std::max(drift.max_rad, error_rad);
+  }
+  return drift;
+}
 
 std::vector<DriftBoundStep> driftBoundSteps(const std::vector<PosedScan>& scans)
 {

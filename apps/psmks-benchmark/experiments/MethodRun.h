@@ -18,6 +18,12 @@ struct DriftFigures
   double mean_rad = 0, max_rad = 0;
 };
 
+/** The errors of some scans of a drive.
+ *  @param T_world_robot an estimated pose for each scan of the recording
+ *  @param scans indices of those that count */
+DriftFigures driftFigures(const Recording& recording, const std::vector<Pose2>& T_world_robot,
+                          const std::vector<std::size_t>& scans);
+
 /** The result of a method on a drive in numbers. Errors are those at the scans whose match was
  * accepted. */
 struct MethodFigures

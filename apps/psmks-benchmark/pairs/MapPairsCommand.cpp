@@ -134,13 +134,7 @@ MapPairsCommand::MapPairsCommand(CLI::App& app)
 {
   app.add_option("SET", sets_, "files of scan pairs (.pairs or .pairs.gz), or names of sets")
       ->required();
-  app.add_option("--seed", choice_.seed, "of generated sets")->capture_default_str();
-  app.add_option("--pairs", choice_.generated, "in each generated set")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--max-pairs", choice_.read, "of each file; 0 = all")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addChoiceFlags(app, choice_);
   app.add_option("--cell_m", cell_m_, "side of a cell")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();

@@ -26,13 +26,7 @@ void PairsCommand::addInputFlags(CLI::App& app)
 {
   app.add_option("SET", sets_, "files of scan pairs (.pairs or .pairs.gz), or names of sets");
   app.add_flag("--list-sets", listsSets_, "print the names of the sets that can be generated");
-  app.add_option("--seed", choice_.seed, "of generated sets")->capture_default_str();
-  app.add_option("--pairs", choice_.generated, "in each generated set")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--max-pairs", choice_.read, "of each file; 0 = all")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addChoiceFlags(app, choice_);
   app.add_option("--save-pairs", saveFolder_, "write each set as NAME.pairs.gz")
       ->type_name("FOLDER");
   app.add_option("--range-sigma_m", rangeSigma_m_,

@@ -55,6 +55,17 @@ void requireOneGrid(const PairsInput& input)
 }
 }  // namespace
 
+void addChoiceFlags(CLI::App& app, PairsChoice& choice)
+{
+  app.add_option("--seed", choice.seed, "of generated sets")->capture_default_str();
+  app.add_option("--pairs", choice.generated, "in each generated set")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--max-pairs", choice.read, "of each file; 0 = all")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
 bool isGenerated(const std::string& argument)
 {
   return findPairFamily(argument) != nullptr && !std::filesystem::exists(argument);

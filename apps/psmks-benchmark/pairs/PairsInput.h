@@ -4,6 +4,7 @@
 #include <psmks/eval/PairsFile.h>
 #include <psmks/sim/PairFamily.h>
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct PairsChoice
   int generated = 200;  //!< number of pairs in a generated set
   int read = 0;         //!< largest number of pairs from a file; 0 = all
 };
+
+/** Adds --seed, --pairs and --max-pairs. */
+void addChoiceFlags(CLI::App& app, PairsChoice& choice);
 
 /** Whether an argument of the command line means a set to be generated: it is the name of a set,
  * and there is no such file. */

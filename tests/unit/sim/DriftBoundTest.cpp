@@ -108,4 +108,40 @@ TEST(DriftBound, IsMillimetresWhereEveryScanIsMatched)
   const auto poses = DriftBound(world, recording, simulation()).poses(everyScanMatched(kScans));
   EXPECT_LT(error_m(recording, poses, kScans - 1), 0.02);
 }
+
+// Without links between keyframes nothing settles later.
+TEST(DriftBound, SettledPosesAreTheFirstOnesWhereNothingLinksKeyframes)
+{
+  const World world = World::smallRoom();
+  const Recording recording = straightDrive(world, 2);
+  const DriftBound bound(world, recording, simulation());
+  const auto steps = everyScanMatched(kScans);
+  const auto poses = bound.poses(steps), settled = bound.settledPoses(steps);
+  ASSERT_EQ(settled.size(), kScans);
+  for (std::size_t scan = 0; scan < kScans; ++scan)
+    EXPECT_NEAR((settled[scan].translation() - poses[scan].translation()).norm(), 0, 1e-12) << scan;
+}
+
+//   0 -- 1 -- 2 -- 3 -- 4 -- 5     each is matched against the one before, and the last one
+//   '----'----'----'---------'     against all: the poses of all of them follow from all matches
+TEST(DriftBound, ALaterLinkSettlesTheKeyframesBeforeIt)
+{
+  const World world = World::smallRoom();
+  const Recording recording = straightDrive(world, 3);
+  auto steps = everyScanMatched(kScans);
+  for (DriftBoundStep& step : steps) step.joinsMap = true;
+  steps[5].links = {0, 1, 2, 3};
+  const DriftBound bound(world, recording, simulation());
+  const auto linked = bound.settledPoses(steps);
+  double sum_m = 0, unlinked_m = 0;
+  for (auto& step : steps) step.links.clear();
+  const auto unlinked = bound.settledPoses(steps);
+  for (std::size_t scan = 1; scan < kScans; ++scan)
+  {
+    sum_m += error_m(recording, linked, scan);
+    unlinked_m += error_m(recording, unlinked, scan);
+    EXPECT_LT(error_m(recording, linked, scan), 0.01) << scan;
+  }
+  EXPECT_NE(sum_m, unlinked_m) << "links count";
+}
 }  // namespace psmks
